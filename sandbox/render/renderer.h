@@ -1,0 +1,53 @@
+#pragma once
+
+#include "image/image.h"
+#include "render/target.h"
+#include "scene/resources.h"
+#include "shading/parts.h"
+#include "shading/technique.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace sandbox {
+
+/// Draws scenes with OpenGL 3.3 into float targets. Needs a current Context for all its life.
+class Renderer {
+  public:
+    /// `parts` are the GLSL parts (inside the executable, or --shaders DIR).
+    Renderer(Assets assets, ShaderParts parts);
+    ~Renderer();
+    Renderer(const Renderer &) = delete;
+    Renderer &operator=(const Renderer &) = delete;
+
+    /// Clears `target` and draws `scene` as `technique` says. Programs are built when first needed and kept.
+    /// Throws InputError if the technique is refused for this scene (too many varyings), ShaderError if a program does
+    /// not build and no earlier one of the same view can stand in. Does not wait for the picture (see finish()).
+    void draw(const Scene &scene, const Technique &technique, Target &target);
+
+    /// Waits until all that was drawn is done (glFinish).
+    static void finish();
+
+    /// draw + finish + read back, timed around draw and finish by the wall clock.
+    Frame render(const Scene &scene, const Technique &technique, Size size, bool object_ids = false);
+
+    /// Wireframe over what `target` shows, in `color` (linear RGB).
+    void draw_wireframe(const Scene &scene, Target &target, glm::vec3 color);
+
+    /// --shaders DIR: true if a part changed on disk since the last call; programs are then rebuilt when next needed.
+    bool reload_changed_parts();
+    /// The last program's build error ("reflection_phong.glsl:31: ..."), empty when all is well.
+    [[nodiscard]] const std::string &shader_error() const;
+    /// How many programs were built so far (a technique seen before builds none).
+    [[nodiscard]] int programs_built() const;
+
+    [[nodiscard]] Resources &resources();
+    [[nodiscard]] const ShaderParts &parts() const;
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+} // namespace sandbox

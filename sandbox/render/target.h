@@ -1,0 +1,61 @@
+#pragma once
+
+#include "image/image.h"
+#include "render/gl_object.h"
+
+namespace sandbox {
+
+/// A framebuffer of linear RGBA32F with a 32-bit float depth, and object ids (R32UI) only while something reads them.
+class Target {
+  public:
+    /// Throws MachineError where the driver refuses (too large, no float targets).
+    explicit Target(Size size, bool object_ids = false);
+
+    [[nodiscard]] Size size() const { return size_; }
+    [[nodiscard]] bool has_object_ids() const { return ids_.id() != 0; }
+    [[nodiscard]] unsigned framebuffer() const { return framebuffer_.id(); }
+    /// The RGBA32F texture: bottom row first, as OpenGL has it.
+    [[nodiscard]] unsigned texture() const { return color_.id(); }
+
+    /// Reads back, top row first.
+    [[nodiscard]] Image read_color() const;
+    /// Reads one pixel's linear colour (x right, y down).
+    [[nodiscard]] glm::vec4 read_pixel(int x, int y) const;
+    [[nodiscard]] std::vector<std::uint32_t> read_object_ids() const;
+
+  private:
+    Size size_;
+    Texture color_, ids_;
+    Renderbuffer depth_;
+    Framebuffer framebuffer_;
+};
+
+/// An RGBA8 texture that a window shows: the display transform of a Target, or a comparison of two.
+class DisplayTexture {
+  public:
+    explicit DisplayTexture(Size size);
+    [[nodiscard]] Size size() const { return size_; }
+    [[nodiscard]] unsigned texture() const { return color_.id(); }
+    [[nodiscard]] unsigned framebuffer() const { return framebuffer_.id(); }
+
+  private:
+    Size size_;
+    Texture color_;
+    Framebuffer framebuffer_;
+};
+
+/// The last pass: exposure, transfer curve, clamp; non-finite pixels magenta. The same curve as to_display().
+class DisplayPass {
+  public:
+    DisplayPass();
+    void run(const Target &from, DisplayTexture &to, Display display, float exposure) const;
+    /// Signed difference left - right, times gain, in a diverging colour-blind-safe palette (blue: right brighter,
+    /// white: equal, orange: left brighter; by the channel that differs most).
+    void run_difference(const Target &left, const Target &right, DisplayTexture &to, float gain) const;
+
+  private:
+    ProgramObject display_, difference_;
+    VertexArray empty_;
+};
+
+} // namespace sandbox

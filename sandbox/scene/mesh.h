@@ -1,0 +1,33 @@
+#pragma once
+
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+namespace sandbox {
+
+/// An indexed triangle mesh in object space. `normals` are unit and as many as `positions`;
+/// `uvs` are as many as `positions`, or none. Counter-clockwise triangles face outward.
+struct Mesh {
+    std::vector<glm::dvec3> positions;
+    std::vector<glm::dvec3> normals;
+    std::vector<glm::dvec2> uvs;
+    std::vector<glm::uvec3> triangles;
+    bool closed = false; ///< encloses a volume: its back faces cannot be seen from outside
+};
+
+/// The mesh of a built-in shape (not ObjShape), as the scene file's rules describe it. Degenerate triangles left out.
+Mesh build_mesh(const Shape &shape);
+
+/// The largest |coordinate| of any vertex: the checker's half edge R.
+double half_extent(const Mesh &mesh);
+
+/// Axis-aligned bounds in object space.
+struct Bounds {
+    glm::dvec3 low{0}, high{0};
+};
+Bounds bounds_of(const Mesh &mesh);
+
+} // namespace sandbox

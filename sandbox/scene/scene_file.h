@@ -1,0 +1,37 @@
+#pragma once
+
+#include "scene/assets.h"
+#include "scene/scene.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Scene files: JSON in and out. Every function throws InputError on bad input.
+namespace sandbox {
+
+/// SCENE as a command takes it: a built-in name, a .json file, a sidecar (its "scene" is read) or an .obj file
+/// (shown with a default light and camera that frames it). Relative paths inside become absolute.
+Scene open_scene(std::string_view name_or_path, const Assets &assets);
+
+/// Parses scene text; `name` is used in messages, relative paths are resolved against `folder` (bare texture names
+/// that are not found there are left for the built-in ones).
+Scene parse_scene(std::string_view text, std::string_view name, const std::filesystem::path &folder);
+
+/// The scene as JSON text (two-space indent); keys at their defaults are left out. Reading it back gives an equal scene.
+std::string scene_text(const Scene &scene);
+
+/// `lights[0].diffuse=0.5`: one value changed, checked by the same rules; VALUE is JSON, or a bare word as a string.
+Scene with_setting(const Scene &scene, std::string_view path_equals_value);
+
+/// The JSON schema of scene files, made from the reader's own table.
+std::string scene_schema();
+
+/// Names of the built-in scenes, in the order they are taught.
+std::vector<std::string> builtin_scenes(const Assets &assets);
+
+/// The scene with its camera replaced by the named view's. Throws InputError listing the names there are.
+Scene with_view(Scene scene, std::string_view view);
+
+} // namespace sandbox

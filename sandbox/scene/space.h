@@ -1,0 +1,24 @@
+#pragma once
+
+#include "scene/scene.h"
+
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+
+/// Where things are: the transforms that a scene file's numbers mean, in double.
+namespace sandbox {
+
+/// Rz Ry Rx S: the linear part of an object's transform (angles in degrees about the fixed axes, x first).
+glm::dmat3 linear_part(const Transform &transform);
+
+/// Unit vectors of a camera in world space; `right`, `up` and `forward` are orthonormal.
+struct CameraAxes {
+    glm::dvec3 right, up, forward;
+};
+/// Robust where `up` is parallel to the view (another up is chosen).
+CameraAxes camera_axes(const Camera &camera);
+
+/// OpenGL's clip space (z in [-w, w]) from camera-relative world space: world position minus camera.position.
+glm::dmat4 view_projection(const Camera &camera, double aspect);
+
+} // namespace sandbox

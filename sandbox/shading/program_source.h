@@ -1,0 +1,37 @@
+#pragma once
+
+#include "scene/mesh.h"
+#include "scene/scene.h"
+#include "shading/features.h"
+#include "shading/parts.h"
+
+#include <string>
+#include <vector>
+
+namespace sandbox {
+
+enum class Stage { vertex, fragment };
+
+/// Where a line of an assembled text came from.
+struct LineOrigin {
+    std::string part; ///< "light_point.glsl"
+    int line = 0;     ///< from 1
+};
+
+struct StageSource {
+    std::string text;
+    std::vector<LineOrigin> origins; ///< one per line of text
+};
+
+/// Two GLSL 3.30 texts that hold what the features need and nothing else.
+struct ProgramSource {
+    StageSource vertex, fragment;
+};
+
+/// Pure: equal features and parts give equal text.
+ProgramSource assemble(const Features &features, const ShaderParts &parts);
+
+/// A compiler log with its line numbers replaced by "part:line" (Mesa's, NVIDIA's and Intel's formats).
+std::string map_log(const std::string &log, const StageSource &source);
+
+} // namespace sandbox

@@ -1,0 +1,17 @@
+# Writes OUT: the files of ROOT/shaders and ROOT/assets as constant bytes (scene/embedded.h declares them).
+file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/shaders/*.glsl ${ROOT}/assets/*.json ${ROOT}/assets/*.png
+     ${ROOT}/assets/*.obj)
+list(SORT files)
+set(arrays "")
+set(rows "")
+set(number 0)
+foreach(file IN LISTS files)
+  file(READ ${ROOT}/${file} hex HEX)
+  string(REGEX REPLACE "(..)" "'\\\\x\\1'," bytes "${hex}")
+  string(APPEND arrays "constexpr char file_${number}[] = {${bytes}0};\n")
+  string(APPEND rows "    {\"${file}\", {file_${number}, sizeof(file_${number}) - 1}},\n")
+  math(EXPR number "${number} + 1")
+endforeach()
+file(WRITE ${OUT} "#include \"scene/embedded.h\"\n\n#include <array>\n\nnamespace sandbox {\nnamespace {\n${arrays}\n"
+     "constexpr std::array<EmbeddedFile, ${number}> files{{\n${rows}}};\n} // namespace\n\n"
+     "std::span<const EmbeddedFile> embedded_files() { return files; }\n} // namespace sandbox\n")
