@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds what changed, then runs shading-sandbox with the arguments given. Without any: the
+# window, or where there is no display, a captured comparison.
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+build=$root/build/release
+
+"$root/third_party/install.sh"
+# The folder is test.sh's too: once configured it is left as it is, and only the program is built.
+[[ -f $build/build.ninja ]] || cmake -S "$root" --preset release -DSANDBOX_TESTS=OFF
+cmake --build "$build" --target shading-sandbox
+
+if [[ $# -gt 0 || -n ${DISPLAY:-} || -n ${WAYLAND_DISPLAY:-} ]]; then
+    exec "$build/shading-sandbox" "$@"
+fi
+echo "No display: capturing a comparison of two techniques."
+"$build/shading-sandbox" capture three-point-lights --left per-vertex/phong --right per-pixel/blinn-phong \
+    --layout side-by-side --labels --size 1600x800 --out comparison.png
+echo "Wrote $PWD/comparison.png"
