@@ -9,7 +9,7 @@
 #include <vector>
 
 /// What is lit: exactly what a scene file says, with its defaults. World space, linear RGB, degrees.
-/// Ranges are those of the scene file (scene_format.cpp holds the table).
+/// Ranges are those of the scene file (scene_format.h holds the table).
 namespace sandbox {
 
 enum class LightType { directional, point, spot };
@@ -30,10 +30,10 @@ struct Light {
     double diffuse = 1;
     double specular = 1;
     bool attenuate_ambient = false;
-    glm::dvec3 position{0};         ///< point, spot
-    glm::dvec3 direction{0, -1, 0}; ///< directional, spot: the way light travels; not necessarily unit
-    Attenuation attenuation;        ///< point, spot
-    double cutoff_degrees = 30;     ///< spot: half angle of the cone, [0, 90], or 180: no cone
+    glm::dvec3 position{0};           ///< point, spot
+    glm::dvec3 direction{0, -1, 0};   ///< directional, spot: the way light travels; not necessarily unit
+    Attenuation attenuation;          ///< point, spot
+    double cutoff_degrees = 30;       ///< spot: half angle of the cone, [0, 90], or 180: no cone
     double inner_cutoff_degrees = 30; ///< spot: <= cutoff_degrees; equal: a hard edge
     double exponent = 0;              ///< spot
     bool operator==(const Light &) const = default;

@@ -19,7 +19,8 @@ Scene open_scene(std::string_view name_or_path, const Assets &assets);
 /// that are not found there are left for the built-in ones).
 Scene parse_scene(std::string_view text, std::string_view name, const std::filesystem::path &folder);
 
-/// The scene as JSON text (two-space indent); keys at their defaults are left out. Reading it back gives an equal scene.
+/// The scene as JSON text (two-space indent); keys at their defaults are left out. Reading it back gives an equal
+/// scene.
 std::string scene_text(const Scene &scene);
 
 /// `lights[0].diffuse=0.5`: one value changed, checked by the same rules; VALUE is JSON, or a bare word as a string.

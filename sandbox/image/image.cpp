@@ -1,0 +1,41 @@
+#include "image/image.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sandbox {
+namespace {
+
+/// The transfer curve of IEC 61966-2-1.
+double srgb_curve(double linear) {
+    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+
+std::uint8_t to_byte(double value, Display display) {
+    const double clamped = std::clamp(value, 0.0, 1.0);
+    const double curved = display == Display::srgb ? srgb_curve(clamped) : clamped;
+    return static_cast<std::uint8_t>(std::lround(curved * 255));
+}
+
+bool finite(const glm::vec4 &pixel) {
+    return std::isfinite(pixel.r) && std::isfinite(pixel.g) && std::isfinite(pixel.b);
+}
+
+} // namespace
+
+ByteImage to_display(const Image &image, Display display, double exposure) {
+    ByteImage out{image.size, {}};
+    out.rgb.reserve(image.pixels.size() * 3);
+    for (const glm::vec4 &pixel : image.pixels) {
+        if (!finite(pixel)) {
+            out.rgb.insert(out.rgb.end(), {255, 0, 255});
+            continue;
+        }
+        for (int channel = 0; channel < 3; ++channel) {
+            out.rgb.push_back(to_byte(static_cast<double>(pixel[channel]) * exposure, display));
+        }
+    }
+    return out;
+}
+
+} // namespace sandbox

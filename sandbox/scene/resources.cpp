@@ -1,0 +1,80 @@
+#include "scene/resources.h"
+
+#include "image/image_file.h"
+#include "scene/error.h"
+#include "scene/obj_reader.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace sandbox {
+namespace {
+
+/// The bytes of an absolute path, or of the built-in file assets/FOLDER/NAME.
+std::string read_named(const Assets &assets, const std::string &name, const std::string &folder,
+                       const std::string &kind) {
+    if (std::filesystem::path(name).is_absolute()) {
+        return read_file(name);
+    }
+    if (auto bytes = assets.read(folder + name)) {
+        return *std::move(bytes);
+    }
+    std::string known;
+    for (const std::string &path : assets.list(folder)) {
+        known += (known.empty() ? "" : ", ") + path.substr(folder.size());
+    }
+    throw InputError(name + ": no such " + kind +
+                     "; looked for it beside the scene file and among the built-in ones (" + known + ")");
+}
+
+Mesh load_mesh(const Assets &assets, const Shape &shape) {
+    if (const auto *obj = std::get_if<ObjShape>(&shape)) {
+        return read_obj(read_named(assets, obj->path, "models/", "model"), obj->path);
+    }
+    return build_mesh(shape);
+}
+
+template <class Entries, class Key> auto find_entry(const Entries &entries, const Key &key) {
+    return std::ranges::find(
+        entries, key, [](const auto &entry) -> const auto & { return entry.first; });
+}
+
+} // namespace
+
+Resources::Resources(Assets assets) : assets_(std::move(assets)) {}
+
+std::vector<ObjectResources> Resources::load(const Scene &scene) {
+    // Collected apart and swapped in at the end: a scene that fails changes nothing, one that loads evicts the rest.
+    decltype(meshes_) meshes;
+    decltype(textures_) textures;
+    std::vector<ObjectResources> out;
+    for (const Object &object : scene.objects) {
+        ObjectResources resources;
+        auto mesh = find_entry(meshes, object.mesh);
+        if (mesh == meshes.end()) {
+            const auto kept = find_entry(meshes_, object.mesh);
+            meshes.emplace_back(object.mesh, kept != meshes_.end()
+                                                 ? kept->second
+                                                 : std::make_shared<const Mesh>(load_mesh(assets_, object.mesh)));
+            mesh = std::prev(meshes.end());
+        }
+        resources.mesh = mesh->second;
+        const std::string &name = object.material.texture;
+        if (!name.empty()) {
+            auto &texture = textures[name];
+            if (!texture) {
+                const auto kept = textures_.find(name);
+                texture = kept != textures_.end() ? kept->second
+                                                  : std::make_shared<const Image>(decode_image(
+                                                        read_named(assets_, name, "textures/", "texture"), name));
+            }
+            resources.texture = texture;
+        }
+        out.push_back(std::move(resources));
+    }
+    meshes_ = std::move(meshes);
+    textures_ = std::move(textures);
+    return out;
+}
+
+} // namespace sandbox

@@ -1,0 +1,97 @@
+#include "scene/scene_json.h"
+
+#include "scene/scene_format.h"
+
+#include <nlohmann/json.hpp>
+
+namespace sandbox {
+namespace {
+
+class Writer {
+  public:
+    explicit Writer(Keys keys) : keys_(keys) {}
+
+    template <class T> OrderedJson object(const T &value) const {
+        OrderedJson json = OrderedJson::object();
+        add_fields(json, value);
+        return json;
+    }
+
+  private:
+    Keys keys_;
+
+    template <class T> static const T &default_of() {
+        static const T value{};
+        return value;
+    }
+
+    template <class T> void add_fields(OrderedJson &json, const T &value) const {
+        for_each_field<T>([&](const auto &field) {
+            const auto &member = value.*field.member;
+            const bool said = keys_ == Keys::all || field.needed(value) || !(member == default_of<T>().*field.member);
+            if (special(value, field.key).value_or(said)) {
+                json[std::string(field.key)] = write(member);
+            }
+        });
+    }
+
+    /// Keys whose absence does not mean the struct's default: written or not whatever `keys` says.
+    template <class T> static std::optional<bool> special(const T &, std::string_view) { return std::nullopt; }
+    static std::optional<bool> special(const Light &light, std::string_view key) {
+        return key == "inner_cutoff_degrees" ? std::optional(light.inner_cutoff_degrees != light.cutoff_degrees)
+                                             : std::nullopt;
+    }
+    static std::optional<bool> special(const Material &material, std::string_view key) {
+        return key == "checker" ? std::optional(material.checker.has_value()) : std::nullopt;
+    }
+
+    static OrderedJson write(double value) { return value; }
+    static OrderedJson write(int value) { return value; }
+    static OrderedJson write(bool value) { return value; }
+    static OrderedJson write(const std::string &value) { return value; }
+    static OrderedJson write(LightType value) {
+        for (const LightWord &word : light_words) {
+            if (word.type == value) {
+                return std::string(word.word);
+            }
+        }
+        return nullptr;
+    }
+    template <int N> static OrderedJson write(const glm::vec<N, double> &value) {
+        OrderedJson json = OrderedJson::array();
+        for (int i = 0; i < N; ++i) {
+            json.push_back(value[i]);
+        }
+        return json;
+    }
+    static OrderedJson write(const std::array<glm::dvec3, 2> &value) {
+        return OrderedJson::array({write(value[0]), write(value[1])});
+    }
+    template <class T> OrderedJson write(const std::vector<T> &values) const {
+        OrderedJson json = OrderedJson::array();
+        for (const T &value : values) {
+            json.push_back(object(value));
+        }
+        return json;
+    }
+    template <class T> OrderedJson write(const std::optional<T> &value) const { return object(*value); }
+    OrderedJson write(const Shape &shape) const {
+        return std::visit(
+            [&]<class S>(const S &value) {
+                OrderedJson json = OrderedJson::object();
+                if constexpr (!std::is_same_v<S, ObjShape>) {
+                    json["shape"] = std::string(Format<S>::name);
+                }
+                add_fields(json, value);
+                return json;
+            },
+            shape);
+    }
+    template <class T> OrderedJson write(const T &value) const requires HasFormat<T> { return object(value); }
+};
+
+} // namespace
+
+OrderedJson write_scene(const Scene &scene, Keys keys) { return Writer(keys).object(scene); }
+
+} // namespace sandbox

@@ -1,0 +1,82 @@
+#include "scene/space.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <utility>
+
+namespace sandbox {
+namespace {
+
+/// Sine and cosine of an angle in degrees, exact at multiples of 90 (a quarter turn leaves no 1e-17 behind).
+std::pair<double, double> sine_cosine(double degrees) {
+    const double turn = std::remainder(degrees, 360.0);
+    const double quarters = std::nearbyint(turn / 90);
+    const double rest = (turn - quarters * 90) * (std::numbers::pi / 180);
+    const double s = std::sin(rest);
+    const double c = std::cos(rest);
+    switch (static_cast<int>(quarters)) {
+    case 0:
+        return {s, c};
+    case 1:
+        return {c, -s};
+    case -1:
+        return {-c, s};
+    default:
+        return {-s, -c};
+    }
+}
+
+/// Unit vector; scaled first, so that neither tiny nor huge vectors lose their direction to underflow or overflow.
+glm::dvec3 unit(glm::dvec3 v) {
+    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    return largest > 0 ? glm::normalize(v / largest) : glm::dvec3(0);
+}
+
+} // namespace
+
+glm::dmat3 linear_part(const Transform &transform) {
+    const auto [sx, cx] = sine_cosine(transform.rotate_degrees.x);
+    const auto [sy, cy] = sine_cosine(transform.rotate_degrees.y);
+    const auto [sz, cz] = sine_cosine(transform.rotate_degrees.z);
+    // glm takes columns.
+    const glm::dmat3 rx(1, 0, 0, 0, cx, sx, 0, -sx, cx);
+    const glm::dmat3 ry(cy, 0, -sy, 0, 1, 0, sy, 0, cy);
+    const glm::dmat3 rz(cz, sz, 0, -sz, cz, 0, 0, 0, 1);
+    glm::dmat3 linear = rz * ry * rx;
+    for (int axis = 0; axis < 3; ++axis) {
+        linear[axis] *= transform.scale[axis];
+    }
+    return linear;
+}
+
+CameraAxes camera_axes(const Camera &camera) {
+    const glm::dvec3 forward = unit(camera.target - camera.position);
+    glm::dvec3 side = glm::cross(forward, unit(camera.up));
+    // 1e-9: an up this close to the view leaves fewer than half of a double's digits in the cross product.
+    if (glm::dot(side, side) < 1e-18) {
+        const glm::dvec3 other = std::abs(forward.z) < 0.9 ? glm::dvec3(0, 0, -1) : glm::dvec3(0, 1, 0);
+        side = glm::cross(forward, other);
+    }
+    const glm::dvec3 right = unit(side);
+    return {right, glm::cross(right, forward), forward};
+}
+
+glm::dmat4 view_projection(const Camera &camera, double aspect) {
+    const CameraAxes axes = camera_axes(camera);
+    const double focal = 1 / std::tan(camera.fov_y_degrees * (std::numbers::pi / 360));
+    const double near = camera.near_plane;
+    const double depth = camera.far_plane - near;
+    const glm::dvec3 x = axes.right * (focal / aspect);
+    const glm::dvec3 y = axes.up * focal;
+    const glm::dvec3 z = axes.forward * ((camera.far_plane + near) / depth);
+    const glm::dvec3 w = axes.forward;
+    // Columns: what x, y, z and 1 of a position contribute to (clip x, y, z, w).
+    return {{x.x, y.x, z.x, w.x},
+            {x.y, y.y, z.y, w.y},
+            {x.z, y.z, z.z, w.z},
+            {0, 0, -2 * (camera.far_plane * near / depth), 0}};
+}
+
+} // namespace sandbox
