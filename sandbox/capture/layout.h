@@ -1,0 +1,32 @@
+#pragma once
+
+#include "image/image.h"
+
+#include <string_view>
+
+/// How two views become one picture. Pure, on linear images.
+namespace sandbox {
+
+enum class Layout { single, side_by_side, wipe, difference };
+
+/// "single", "side-by-side", "wipe", "difference".
+std::string_view to_string(Layout layout);
+/// Throws InputError listing the names.
+Layout parse_layout(std::string_view text);
+
+/// The size of each view when the whole picture has `picture`. Side by side each has half the width, and the left one
+/// the extra column of an odd width; else each is as large as the picture.
+struct ViewSizes {
+    Size left, right;
+};
+/// Throws InputError if a view would have no pixel.
+ViewSizes view_sizes(Layout layout, Size picture);
+
+/// The first column that shows the right view: (width + 1) / 2.
+int split_column(Size picture);
+
+/// The picture in linear RGB: `left` alone, both halves, or left - right (signed; alpha 1).
+/// `right` is not looked at in Layout::single. The sizes must be those of view_sizes().
+Image compose(Layout layout, const Image &left, const Image &right);
+
+} // namespace sandbox

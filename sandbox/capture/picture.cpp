@@ -1,0 +1,51 @@
+#include "capture/picture.h"
+
+#include "capture/labels.h"
+#include "scene/error.h"
+
+#include <cmath>
+
+namespace sandbox {
+namespace {
+
+Image magnified(Image difference, double gain) {
+    const auto g = static_cast<float>(gain);
+    for (glm::vec4 &p : difference.pixels) {
+        p = {g * std::abs(p.r), g * std::abs(p.g), g * std::abs(p.b), 1};
+    }
+    return difference;
+}
+
+} // namespace
+
+Display parse_display(std::string_view text) {
+    if (text != "linear" && text != "srgb") {
+        throw InputError("expected linear or srgb, got '" + std::string(text) + "'");
+    }
+    return text == "srgb" ? Display::srgb : Display::linear;
+}
+
+std::string_view to_string(Display display) { return display == Display::srgb ? "srgb" : "linear"; }
+
+Image draw_picture(const Scene &scene, const PictureOptions &options, const DrawView &draw) {
+    const ViewSizes sizes = view_sizes(options.layout, options.size);
+    Image left = draw(scene, options.left, sizes.left);
+    if (options.layout == Layout::single) {
+        return left;
+    }
+    return compose(options.layout, left, draw(scene, options.right, sizes.right));
+}
+
+ByteImage show_picture(const Image &linear, const PictureOptions &options) {
+    ByteImage shown = to_display(options.layout == Layout::difference ? magnified(linear, options.gain) : linear,
+                                 options.display, options.exposure);
+    if (options.layout == Layout::wipe) {
+        draw_divider(shown);
+    }
+    if (options.labels) {
+        draw_labels(shown, options.layout, to_string(options.left), to_string(options.right));
+    }
+    return shown;
+}
+
+} // namespace sandbox

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "capture/layout.h"
+#include "scene/scene.h"
+#include "shading/technique.h"
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+/// A picture of a scene as a file holds it: what `capture` and the window's capture key both make.
+namespace sandbox {
+
+/// Draws a view: the renderer, or a fake in a test.
+using DrawView = std::function<Image(const Scene &, const Technique &, Size)>;
+
+/// "linear" or "srgb". Throws InputError.
+Display parse_display(std::string_view text);
+std::string_view to_string(Display display);
+
+struct PictureOptions {
+    Layout layout = Layout::single;
+    Technique left;       ///< the only one of Layout::single
+    Technique right;      ///< not used in Layout::single
+    Size size{1280, 720}; ///< of the whole picture
+    Display display = Display::linear;
+    double exposure = 1;
+    double gain = 1; ///< of a difference that is shown
+    bool labels = false;
+    std::string view; ///< name of the view that the scene's camera was taken from, for the record
+    bool operator==(const PictureOptions &) const = default;
+};
+
+/// Linear RGB: what a PFM holds. A difference is left - right, without gain.
+Image draw_picture(const Scene &scene, const PictureOptions &options, const DrawView &draw);
+
+/// What a PNG holds: `linear` (of draw_picture) through gain * |difference|, exposure and the display's curve, then a
+/// wipe's divider, then labels.
+ByteImage show_picture(const Image &linear, const PictureOptions &options);
+
+} // namespace sandbox

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "capture/picture.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+/// Beside every picture, the JSON that it can be made from again: the whole scene and all that was asked for.
+namespace sandbox {
+
+/// What drew a picture: GL_RENDERER and GL_VERSION, say.
+struct DrawnBy {
+    std::string renderer;
+    std::string opengl;
+};
+
+/// a.png -> a.png.json
+std::filesystem::path sidecar_path(const std::filesystem::path &picture);
+
+/// Keys: version, renderer, opengl, layout, techniques (one or two), size, display, exposure, gain, labels, view,
+/// scene.
+std::string sidecar_text(const Scene &scene, const PictureOptions &options, const DrawnBy &by);
+
+/// The options of a sidecar; nothing if `text` is not one (a scene file, an OBJ). `name` is used in messages.
+/// Throws InputError if a key holds what it cannot.
+std::optional<PictureOptions> sidecar_options(std::string_view text, std::string_view name);
+
+} // namespace sandbox

@@ -1,0 +1,83 @@
+#include "capture/sidecar.h"
+
+#include "scene/error.h"
+#include "scene/scene_file.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace sandbox {
+namespace {
+
+Scene ball() {
+    Scene scene;
+    scene.name = "ball";
+    scene.camera.position = {0.1, 1.0 / 3, 6};
+    scene.lights.push_back({});
+    scene.objects.push_back({.name = "ball", .mesh = SphereShape{}, .transform = {}, .material = {}});
+    return scene;
+}
+
+PictureOptions unusual() {
+    PictureOptions options;
+    options.layout = Layout::wipe;
+    options.left = parse_technique("per-vertex/phong:normals=untransformed");
+    options.right = parse_technique("per-pixel/blinn-phong:power=stable");
+    options.size = {641, 359};
+    options.display = Display::srgb;
+    options.exposure = 0.1;
+    options.gain = 3.7;
+    options.labels = true;
+    options.view = "from-above";
+    return options;
+}
+
+TEST(Sidecar, StandsBesideThePicture) { EXPECT_EQ(sidecar_path("out/a.png"), "out/a.png.json"); }
+
+TEST(Sidecar, OptionsRoundTrip) {
+    EXPECT_EQ(sidecar_options(sidecar_text(ball(), unusual(), {}), "a.json"), unusual());
+    PictureOptions single;
+    single.left = single.right = parse_technique("flat/lambert");
+    EXPECT_EQ(sidecar_options(sidecar_text(ball(), single, {}), "a.json"), single);
+}
+
+TEST(Sidecar, TheSceneRoundTripsToTheLastBit) {
+    const auto json = nlohmann::json::parse(sidecar_text(ball(), unusual(), {"soft", "3.3"}));
+    EXPECT_EQ(parse_scene(json["scene"].dump(), "a.json", "/"), ball());
+    EXPECT_EQ(json["renderer"], "soft");
+    EXPECT_EQ(json["opengl"], "3.3");
+    EXPECT_EQ(json["version"], SANDBOX_VERSION);
+    EXPECT_EQ(json["techniques"].size(), 2U);
+}
+
+TEST(Sidecar, OtherFilesAreNone) {
+    EXPECT_FALSE(sidecar_options(scene_text(ball()), "scene.json"));
+    EXPECT_FALSE(sidecar_options("v 0 0 0", "mesh.obj"));
+    EXPECT_FALSE(sidecar_options("[1, 2]", "list.json"));
+}
+
+TEST(Sidecar, AWrongValueIsRefusedByItsKey) {
+    const std::string good = sidecar_text(ball(), unusual(), {});
+    for (const auto &[key, value] :
+         std::vector<std::pair<std::string, nlohmann::json>>{{"layout", "stacked"},
+                                                             {"layout", 3},
+                                                             {"techniques", nlohmann::json::array()},
+                                                             {"techniques", {"flat"}},
+                                                             {"size", "640x480"},
+                                                             {"size", {1}},
+                                                             {"display", "gamma"},
+                                                             {"exposure", "bright"},
+                                                             {"labels", "yes"}}) {
+        auto json = nlohmann::json::parse(good);
+        json[key] = value;
+        try {
+            sidecar_options(json.dump(), "a.png.json");
+            ADD_FAILURE() << key << " = " << value;
+        } catch (const InputError &error) {
+            EXPECT_EQ(std::string(error.what()).rfind("a.png.json: " + key, 0), 0U) << error.what();
+        }
+    }
+}
+
+} // namespace
+} // namespace sandbox
