@@ -1,0 +1,168 @@
+#!/usr/bin/env python3
+"""Draws assets/textures/*.png and assets/models/vase.obj, byte for byte the same every time.
+
+Run from anywhere: python3 tests/tools/make_textures.py. Needs nothing but Python 3; the build does not run it.
+The pictures tile (they repeat without a seam) and are light in colour, so that coloured lights show on them.
+"""
+import math
+import struct
+import zlib
+from pathlib import Path
+
+SIDE = 256
+ASSETS = Path(__file__).resolve().parents[2] / "assets"
+
+
+def hashed(x, y, seed):
+    """A number in [0, 1) that depends on three integers and nothing else."""
+    h = (x * 374761393 + y * 668265263 + seed * 1442695041) & 0xFFFFFFFF
+    h = ((h ^ (h >> 13)) * 1274126177) & 0xFFFFFFFF
+    return ((h ^ (h >> 16)) & 0xFFFFFF) / 0x1000000
+
+
+def noise(u, v, columns, rows, seed):
+    """Smooth noise in [0, 1) over the unit square, periodic in both directions."""
+    x, y = u * columns, v * rows
+    i, j = math.floor(x), math.floor(y)
+    fx, fy = x - i, y - j
+    fx, fy = fx * fx * (3 - 2 * fx), fy * fy * (3 - 2 * fy)
+
+    def at(a, b):
+        return hashed((i + a) % columns, (j + b) % rows, seed)
+
+    top = at(0, 0) + (at(1, 0) - at(0, 0)) * fx
+    bottom = at(0, 1) + (at(1, 1) - at(0, 1)) * fx
+    return top + (bottom - top) * fy
+
+
+def turbulence(u, v, columns, rows, seed, octaves=4):
+    """Noise of several scales, in [0, 1)."""
+    total, weight, sum_of_weights = 0.0, 1.0, 0.0
+    for octave in range(octaves):
+        total += weight * noise(u, v, columns << octave, rows << octave, seed + octave)
+        sum_of_weights += weight
+        weight /= 2
+    return total / sum_of_weights
+
+
+def steps(value, count):
+    """Few shades keep the files small."""
+    return min(max(math.floor(value * count), 0), count - 1) / (count - 1)
+
+
+def mix(a, b, t):
+    return tuple(p + (q - p) * t for p, q in zip(a, b))
+
+
+def checker(u, v):
+    return (0.95, 0.92, 0.85) if (math.floor(u * 8) + math.floor(v * 8)) % 2 == 0 else (0.28, 0.36, 0.52)
+
+
+def bricks(u, v):
+    rows, columns = 8, 4
+    row = math.floor(v * rows)
+    shifted = (u + (0.5 / columns if row % 2 else 0)) % 1
+    column = math.floor(shifted * columns)
+    x, y = shifted * columns - column, v * rows - row
+    grain = steps(turbulence(u, v, 32, 32, 5, 2), 8)
+    if min(x, 1 - x) < 0.03 or min(y, 1 - y) < 0.06:
+        return mix((0.80, 0.78, 0.74), (0.90, 0.88, 0.84), grain)
+    tint = steps(hashed(column, row, 11), 6)
+    return mix(mix((0.72, 0.46, 0.36), (0.88, 0.66, 0.52), tint), (1, 0.85, 0.75), 0.25 * grain)
+
+
+def wood(u, v):
+    bend = turbulence(u, v, 2, 3, 21, 3)
+    ring = 0.5 + 0.5 * math.sin(2 * math.pi * (6 * u + 2.2 * bend))
+    fibre = noise(u, v, 64, 4, 31)
+    shade = 0.7 * ring**1.5 + 0.3 * fibre
+    return mix((0.93, 0.78, 0.56), (0.66, 0.45, 0.26), steps(shade, 24))
+
+
+def marble(u, v):
+    cloud = turbulence(u, v, 3, 3, 41, 5)
+    vein = abs(math.sin(math.pi * (2 * u + 2 * v + 3.0 * cloud)))
+    return mix((0.52, 0.56, 0.64), (0.98, 0.97, 0.95), steps(vein**0.45, 32))
+
+
+def tiles(u, v):
+    count = 4
+    column, row = math.floor(u * count), math.floor(v * count)
+    x, y = u * count - column, v * count - row
+    edge = min(x, 1 - x, y, 1 - y)
+    if edge < 0.025:
+        return (0.62, 0.62, 0.60)
+    base = (0.93, 0.93, 0.90) if (column + row) % 2 == 0 else (0.70, 0.78, 0.84)
+    spot = steps(turbulence(u, v, 16, 16, 51, 3), 10)
+    bevel = 0.88 if edge < 0.05 else 1
+    return tuple(bevel * channel for channel in mix(base, (0.80, 0.82, 0.82), 0.35 * spot))
+
+
+def chunk(kind, data):
+    body = kind + data
+    return struct.pack(">I", len(data)) + body + struct.pack(">I", zlib.crc32(body))
+
+
+def png(pixel):
+    """A palette PNG of pixel(u, v), u to the right, v downwards."""
+    palette, rows = {}, bytearray()
+    for y in range(SIDE):
+        rows.append(0)  # no filter
+        for x in range(SIDE):
+            colour = tuple(round(255 * c) for c in pixel((x + 0.5) / SIDE, (y + 0.5) / SIDE))
+            rows.append(palette.setdefault(colour, len(palette)))
+    assert len(palette) <= 256
+    header = struct.pack(">IIBBBBB", SIDE, SIDE, 8, 3, 0, 0, 0)
+    colours = b"".join(bytes(colour) for colour in palette)
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"PLTE", colours)
+            + chunk(b"IDAT", zlib.compress(bytes(rows), 9)) + chunk(b"IEND", b""))
+
+
+def vase():
+    """A turned vase with a wall that has a thickness: a closed mesh of quads, without normals."""
+    outside = [(0.0, 0.0), (0.36, 0.0), (0.40, 0.05), (0.50, 0.22), (0.60, 0.45), (0.62, 0.66), (0.54, 0.90),
+               (0.38, 1.12), (0.28, 1.28), (0.27, 1.42), (0.34, 1.56), (0.43, 1.64)]
+    inside = [(0.40, 1.66), (0.30, 1.56), (0.22, 1.42), (0.23, 1.28), (0.33, 1.10), (0.48, 0.88), (0.55, 0.66),
+              (0.52, 0.45), (0.40, 0.22), (0.0, 0.12)]
+    profile, segments = outside + inside, 32
+    lines = ["# A vase, turned about the y axis. Made by tests/tools/make_textures.py.", "o vase"]
+    first = {}  # index of the first v of each ring; the two ends are single points
+    count = 1
+    for i, (radius, height) in enumerate(profile):
+        first[i] = count
+        around = segments if radius > 0 else 1
+        for j in range(around):
+            angle = 2 * math.pi * j / segments
+            lines.append(f"v {radius * math.cos(angle):.6f} {height:.6f} {radius * math.sin(angle):.6f}")
+        count += around
+    last = len(profile) - 1
+    for i in range(last + 1):
+        lines += [f"vt {j / segments:.6f} {i / last:.6f}" for j in range(segments + 1)]
+
+    def corner(i, j):
+        single = profile[i][0] == 0
+        return f"{first[i] + (0 if single else j % segments)}/{i * (segments + 1) + j + 1}"
+
+    for i in range(last):
+        for j in range(segments):
+            corners = [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)]
+            if profile[i][0] == 0:
+                corners.pop(3)
+            elif profile[i + 1][0] == 0:
+                corners.pop(2)
+            lines.append("f " + " ".join(corners))
+    return "\n".join(lines) + "\n"
+
+
+def main():
+    for pixel in (checker, bricks, wood, marble, tiles):
+        path = ASSETS / "textures" / f"{pixel.__name__}.png"
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(png(pixel))
+    model = ASSETS / "models" / "vase.obj"
+    model.parent.mkdir(parents=True, exist_ok=True)
+    model.write_text(vase())
+
+
+if __name__ == "__main__":
+    main()
