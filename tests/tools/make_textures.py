@@ -86,15 +86,15 @@ def marble(u, v):
 
 
 def tiles(u, v):
-    count = 4
+    count = 8
     column, row = math.floor(u * count), math.floor(v * count)
     x, y = u * count - column, v * count - row
     edge = min(x, 1 - x, y, 1 - y)
-    if edge < 0.025:
+    if edge < 0.04:
         return (0.62, 0.62, 0.60)
     base = (0.93, 0.93, 0.90) if (column + row) % 2 == 0 else (0.70, 0.78, 0.84)
     spot = steps(turbulence(u, v, 16, 16, 51, 3), 10)
-    bevel = 0.88 if edge < 0.05 else 1
+    bevel = 0.88 if edge < 0.08 else 1
     return tuple(bevel * channel for channel in mix(base, (0.80, 0.82, 0.82), 0.35 * spot))
 
 
