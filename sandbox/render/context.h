@@ -30,7 +30,8 @@ class Context {
 
   protected:
     Context() = default;
-    void load_functions(void *(*get_proc_address)(const char *));
+    /// Loads the functions of the context that is current; throws MachineError below OpenGL 3.3.
+    static void load_functions(void (*(*get_proc_address)(const char *))());
 };
 
 } // namespace sandbox

@@ -3,6 +3,9 @@
 #include "image/image.h"
 #include "render/gl_object.h"
 
+#include <cstdint>
+#include <vector>
+
 namespace sandbox {
 
 /// A framebuffer of linear RGBA32F with a 32-bit float depth, and object ids (R32UI) only while something reads them.
@@ -42,20 +45,6 @@ class DisplayTexture {
     Size size_;
     Texture color_;
     Framebuffer framebuffer_;
-};
-
-/// The last pass: exposure, transfer curve, clamp; non-finite pixels magenta. The same curve as to_display().
-class DisplayPass {
-  public:
-    DisplayPass();
-    void run(const Target &from, DisplayTexture &to, Display display, float exposure) const;
-    /// Signed difference left - right, times gain, in a diverging colour-blind-safe palette (blue: right brighter,
-    /// white: equal, orange: left brighter; by the channel that differs most).
-    void run_difference(const Target &left, const Target &right, DisplayTexture &to, float gain) const;
-
-  private:
-    ProgramObject display_, difference_;
-    VertexArray empty_;
 };
 
 } // namespace sandbox

@@ -1,0 +1,60 @@
+#include "render/context.h"
+
+#include "render/platform_context.h"
+#include "scene/error.h"
+
+#include <glad/gl.h>
+
+#include <iostream>
+
+namespace sandbox {
+namespace {
+
+std::string gl_string(unsigned name) {
+    const auto *text = reinterpret_cast<const char *>(glGetString(name));
+    return text != nullptr ? text : "unknown";
+}
+
+#ifndef NDEBUG
+void GLAD_API_PTR print_message(GLenum, GLenum type, GLuint, GLenum, GLsizei, const char *message, const void *) {
+    if (type == GL_DEBUG_TYPE_ERROR || type == GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR) {
+        std::cerr << "OpenGL: " << message << '\n';
+    }
+}
+
+void listen_to_debug_messages() {
+    if (GLAD_GL_KHR_debug != 0) {
+        glEnable(GL_DEBUG_OUTPUT);
+        glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+        glDebugMessageCallback(print_message, nullptr);
+    }
+}
+#endif
+
+} // namespace
+
+std::unique_ptr<Context> Context::headless(Backend backend) {
+    return backend == Backend::egl ? make_egl_context() : make_hidden_glfw_context();
+}
+
+void Context::load_functions(void (*(*get_proc_address)(const char *))()) {
+    const int version = gladLoadGL(get_proc_address);
+    if (version < GLAD_MAKE_VERSION(3, 3)) {
+        const std::string found = version == 0 ? "none" : gl_string(GL_VERSION) + " by " + gl_string(GL_RENDERER);
+        throw MachineError("OpenGL 3.3 is needed, found " + found + ": " + install_hint);
+    }
+#ifndef NDEBUG
+    listen_to_debug_messages();
+#endif
+}
+
+std::string Context::renderer() const { return gl_string(GL_RENDERER); }
+std::string Context::version() const { return gl_string(GL_VERSION); }
+
+bool Context::software() const {
+    const std::string name = renderer();
+    return name.find("llvmpipe") != std::string::npos || name.find("softpipe") != std::string::npos ||
+           name.find("swrast") != std::string::npos || name.find("SWR") != std::string::npos;
+}
+
+} // namespace sandbox

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "render/gl_program.h"
+#include "render/target.h"
+#include "shading/parts.h"
+
+namespace sandbox {
+
+/// The last pass: exposure, transfer curve, clamp; non-finite pixels magenta. The same curve as to_display().
+class DisplayPass {
+  public:
+    explicit DisplayPass(const ShaderParts &parts);
+    void run(const Target &from, DisplayTexture &to, Display display, float exposure) const;
+    /// Signed difference left - right, times gain, in a diverging colour-blind-safe palette (blue: right brighter,
+    /// white: equal, orange: left brighter; by the channel that differs most).
+    void run_difference(const Target &left, const Target &right, DisplayTexture &to, float gain) const;
+
+  private:
+    GlProgram display_, difference_;
+    VertexArray empty_;
+};
+
+} // namespace sandbox

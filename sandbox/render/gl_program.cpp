@@ -1,0 +1,99 @@
+#include "render/gl_program.h"
+
+#include <glad/gl.h>
+
+#include <vector>
+
+namespace sandbox {
+namespace {
+
+template <typename GetParameter, typename GetLog>
+std::string info_log(unsigned id, GetParameter get_parameter, GetLog get_log) {
+    GLint length = 0;
+    get_parameter(id, GL_INFO_LOG_LENGTH, &length);
+    std::string log(static_cast<std::size_t>(length), '\0');
+    if (length > 0) {
+        get_log(id, length, &length, log.data());
+        log.resize(static_cast<std::size_t>(length));
+    }
+    return log;
+}
+
+ShaderObject compile(GLenum stage, const StageSource &source) {
+    ShaderObject shader = make_shader(stage);
+    const char *text = source.text.c_str();
+    glShaderSource(shader.id(), 1, &text, nullptr);
+    glCompileShader(shader.id());
+    GLint compiled = GL_FALSE;
+    glGetShaderiv(shader.id(), GL_COMPILE_STATUS, &compiled);
+    if (compiled != GL_TRUE) {
+        throw ShaderError(map_log(info_log(shader.id(), glGetShaderiv, glGetShaderInfoLog), source));
+    }
+    return shader;
+}
+
+std::map<std::string, int, std::less<>> active_uniforms(unsigned program) {
+    GLint count = 0;
+    GLint longest = 0;
+    glGetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
+    glGetProgramiv(program, GL_ACTIVE_UNIFORM_MAX_LENGTH, &longest);
+    std::map<std::string, int, std::less<>> result;
+    std::vector<char> name(static_cast<std::size_t>(longest) + 1);
+    for (GLint i = 0; i < count; ++i) {
+        GLint size = 0;
+        GLenum type = 0;
+        glGetActiveUniform(program, static_cast<GLuint>(i), longest, nullptr, &size, &type, name.data());
+        std::string text = name.data();
+        if (!text.ends_with("[0]")) {
+            result[text] = glGetUniformLocation(program, text.c_str());
+            continue;
+        }
+        text.resize(text.size() - 3); // an array of basic type: one name an element
+        for (GLint element = 0; element < size; ++element) {
+            const std::string indexed = text + "[" + std::to_string(element) + "]";
+            result[indexed] = glGetUniformLocation(program, indexed.c_str());
+        }
+    }
+    return result;
+}
+
+} // namespace
+
+GlProgram::GlProgram(const ProgramSource &source) : program_(make_program()) {
+    const ShaderObject vertex = compile(GL_VERTEX_SHADER, source.vertex);
+    const ShaderObject fragment = compile(GL_FRAGMENT_SHADER, source.fragment);
+    glAttachShader(id(), vertex.id());
+    glAttachShader(id(), fragment.id());
+    glLinkProgram(id());
+    GLint linked = GL_FALSE;
+    glGetProgramiv(id(), GL_LINK_STATUS, &linked);
+    if (linked != GL_TRUE) {
+        throw ShaderError("link: " + info_log(id(), glGetProgramiv, glGetProgramInfoLog));
+    }
+    glDetachShader(id(), vertex.id());
+    glDetachShader(id(), fragment.id());
+    uniforms_ = active_uniforms(id());
+}
+
+int GlProgram::location(std::string_view name) const {
+    const auto found = uniforms_.find(name);
+    if (found == uniforms_.end()) {
+        throw std::logic_error("no active uniform '" + std::string(name) + "'");
+    }
+    return found->second;
+}
+
+void GlProgram::set(std::string_view name, int value) const { glUniform1i(location(name), value); }
+void GlProgram::set(std::string_view name, unsigned value) const { glUniform1ui(location(name), value); }
+void GlProgram::set(std::string_view name, float value) const { glUniform1f(location(name), value); }
+void GlProgram::set(std::string_view name, const glm::vec3 &value) const {
+    glUniform3fv(location(name), 1, &value[0]);
+}
+void GlProgram::set(std::string_view name, const glm::mat3 &value) const {
+    glUniformMatrix3fv(location(name), 1, GL_FALSE, &value[0][0]);
+}
+void GlProgram::set(std::string_view name, const glm::mat4 &value) const {
+    glUniformMatrix4fv(location(name), 1, GL_FALSE, &value[0][0]);
+}
+
+} // namespace sandbox

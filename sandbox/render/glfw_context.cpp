@@ -1,0 +1,61 @@
+#include "render/platform_context.h"
+#include "scene/error.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+namespace sandbox {
+namespace {
+
+/// The context of a window that somebody else owns.
+class WindowContext : public Context {
+  public:
+    explicit WindowContext(GLFWwindow *window) {
+        glfwMakeContextCurrent(window);
+        load_functions(glfwGetProcAddress);
+    }
+};
+
+class HiddenWindow {
+  public:
+    HiddenWindow() {
+        if (glfwInit() != GLFW_TRUE) {
+            throw MachineError("--backend glfw needs a display server, found none: set DISPLAY, or use --backend egl");
+        }
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+        glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+        glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+        window_ = glfwCreateWindow(16, 16, "shading-sandbox", nullptr, nullptr);
+        if (window_ == nullptr) {
+            const char *reason = nullptr;
+            glfwGetError(&reason);
+            const std::string found = reason != nullptr ? reason : "no window";
+            glfwTerminate();
+            throw MachineError("OpenGL 3.3 is needed, GLFW found: " + found + "; " + install_hint);
+        }
+    }
+    ~HiddenWindow() {
+        glfwDestroyWindow(window_);
+        glfwTerminate();
+    }
+    HiddenWindow(const HiddenWindow &) = delete;
+    HiddenWindow &operator=(const HiddenWindow &) = delete;
+    [[nodiscard]] GLFWwindow *get() const { return window_; }
+
+  private:
+    GLFWwindow *window_ = nullptr;
+};
+
+class HiddenWindowContext final : private HiddenWindow, public WindowContext {
+  public:
+    HiddenWindowContext() : WindowContext(HiddenWindow::get()) {}
+};
+
+} // namespace
+
+std::unique_ptr<Context> Context::of_window(GLFWwindow *window) { return std::make_unique<WindowContext>(window); }
+
+std::unique_ptr<Context> make_hidden_glfw_context() { return std::make_unique<HiddenWindowContext>(); }
+
+} // namespace sandbox

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "render/gl_object.h"
+#include "scene/mesh.h"
+
+#include <map>
+#include <memory>
+
+namespace sandbox {
+
+/// Which vertex attributes a program reads (locations as in vertex.glsl), and in which arrangement.
+struct VertexLayout {
+    bool flat = false; ///< unshared vertices that carry their face's normal and centroid
+    bool normal = false, uv = false, centroid = false;
+    auto operator<=>(const VertexLayout &) const = default;
+};
+
+/// A mesh on the GPU: a buffer for each attribute, made when a program first reads it.
+class MeshBuffers {
+  public:
+    explicit MeshBuffers(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)) {}
+    /// Draws all triangles with the program and framebuffer in use.
+    void draw(const VertexLayout &layout);
+
+  private:
+    struct Arrangement { ///< shared (indexed) or flat vertices
+        Buffer positions, normals, uvs, centroids, indices;
+        int count = 0;
+    };
+    void upload(Arrangement &arrangement, const VertexLayout &layout) const;
+    VertexArray make_array(const VertexLayout &layout);
+
+    std::shared_ptr<const Mesh> mesh_;
+    Arrangement shared_, flat_;
+    std::map<VertexLayout, VertexArray> arrays_;
+};
+
+} // namespace sandbox

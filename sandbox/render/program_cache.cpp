@@ -1,0 +1,58 @@
+#include "render/program_cache.h"
+
+#include <algorithm>
+
+namespace sandbox {
+namespace {
+
+constexpr std::size_t most_programs = 256;
+
+} // namespace
+
+void ProgramCache::build(Entry &entry, const Features &features) {
+    try {
+        entry.program = std::make_shared<const GlProgram>(assemble(features, parts_));
+        ++built_;
+    } catch (const std::exception &failure) { // ShaderError, or a part's directive that does not read
+        error_ = failure.what();
+        if (entry.program == nullptr) {
+            throw ShaderError(error_);
+        }
+    }
+    entry.stale = false;
+}
+
+const GlProgram &ProgramCache::get(const Features &features) {
+    if (entries_.size() >= most_programs && !entries_.contains(features)) {
+        evict_oldest();
+    }
+    Entry &entry = entries_[features];
+    if (entry.program == nullptr || entry.stale) {
+        build(entry, features);
+    }
+    entry.last_use = ++uses_;
+    return *entry.program;
+}
+
+const GlProgram &ProgramCache::wireframe() {
+    if (wireframe_ == nullptr) {
+        wireframe_ = std::make_unique<const GlProgram>(ProgramSource{
+            whole_part(parts_, "wireframe_vertex.glsl"), whole_part(parts_, "wireframe_fragment.glsl")});
+    }
+    return *wireframe_;
+}
+
+void ProgramCache::rebuild_all() {
+    error_.clear();
+    for (auto &[features, entry] : entries_) {
+        entry.stale = true;
+    }
+}
+
+void ProgramCache::evict_oldest() {
+    const auto oldest = std::ranges::min_element(
+        entries_, {}, [](const auto &entry) { return entry.second.last_use; });
+    entries_.erase(oldest);
+}
+
+} // namespace sandbox

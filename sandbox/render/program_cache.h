@@ -1,0 +1,45 @@
+#pragma once
+
+#include "render/gl_program.h"
+#include "shading/features.h"
+#include "shading/parts.h"
+
+#include <map>
+#include <memory>
+
+namespace sandbox {
+
+/// Programs by the features themselves, built when first needed; the least recently used goes when there are many.
+class ProgramCache {
+  public:
+    explicit ProgramCache(const ShaderParts &parts) : parts_(parts) {}
+
+    /// Throws ShaderError where it cannot be built and no earlier build of the same features can stand in.
+    const GlProgram &get(const Features &features);
+    /// One constant colour, for wireframes.
+    const GlProgram &wireframe();
+
+    /// After the parts changed: each program is built again when next needed, its last good one kept in case.
+    void rebuild_all();
+    /// The last build error since then; empty when all is well.
+    [[nodiscard]] const std::string &error() const { return error_; }
+    [[nodiscard]] int built() const { return built_; }
+
+  private:
+    struct Entry {
+        std::shared_ptr<const GlProgram> program;
+        bool stale = false;
+        long last_use = 0;
+    };
+    void build(Entry &entry, const Features &features);
+    void evict_oldest();
+
+    const ShaderParts &parts_;
+    std::map<Features, Entry> entries_;
+    std::unique_ptr<const GlProgram> wireframe_;
+    std::string error_;
+    int built_ = 0;
+    long uses_ = 0;
+};
+
+} // namespace sandbox

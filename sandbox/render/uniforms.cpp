@@ -1,0 +1,94 @@
+#include "render/uniforms.h"
+
+#include "render/full_uniforms.h"
+#include "render/light_values.h"
+#include "render/uploader.h"
+#include "scene/space.h"
+#include "shading/normal_matrix.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace sandbox {
+namespace {
+
+/// World space moved so that the eye is the origin: what precision is left goes to what the eye is near.
+glm::dmat4 camera_relative_model(const Scene &scene, const Object &object) {
+    glm::dmat4 model(linear_part(object.transform));
+    model[3] = glm::dvec4(object.transform.translate - scene.camera.position, 1);
+    return model;
+}
+
+} // namespace
+
+void put_light(Uploader &uploader, const std::string &name, const LightValues &light) {
+    uploader.put(name + ".position", glm::vec3(light.position));
+    uploader.put(name + ".direction", glm::vec3(light.direction));
+    uploader.put(name + ".ambient", glm::vec3(light.ambient));
+    uploader.put(name + ".attenuated_ambient", glm::vec3(light.attenuated_ambient));
+    uploader.put(name + ".diffuse", glm::vec3(light.diffuse));
+    uploader.put(name + ".specular", glm::vec3(light.specular));
+    uploader.put(name + ".half_vector", glm::vec3(light.half_vector));
+    uploader.put(name + ".constant", static_cast<float>(light.attenuation.constant));
+    uploader.put(name + ".linear", static_cast<float>(light.attenuation.linear));
+    uploader.put(name + ".quadratic", static_cast<float>(light.attenuation.quadratic));
+    uploader.put(name + ".cos_cutoff", static_cast<float>(light.cos_cutoff));
+    uploader.put(name + ".cos_inner_cutoff", static_cast<float>(light.cos_inner_cutoff));
+    uploader.put(name + ".exponent", static_cast<float>(light.exponent));
+    uploader.put(name + ".type", light.type);
+}
+
+namespace {
+
+void put_lights(Uploader &uploader, const DrawInput &input, const std::string &kind,
+                const std::vector<std::size_t> &indices) {
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+        const std::string name =
+            indices.size() == 1 ? "the_" + kind + "_light" : kind + "_lights[" + std::to_string(i) + "]";
+        put_light(uploader, name,
+                  light_values(input.scene.lights[indices[i]], input.scene, input.technique, input.object.material));
+    }
+}
+
+void put_checker(Uploader &uploader, const Checker &checker, const Mesh &mesh) {
+    uploader.put("checker_colors[0]", glm::vec3(checker.colors[0]));
+    uploader.put("checker_colors[1]", glm::vec3(checker.colors[1]));
+    uploader.put("checker_cells_per_unit", static_cast<float>(checker.cells / (2 * half_extent(mesh))));
+    uploader.put("checker_half_cells", static_cast<float>(checker.cells / 2.0));
+}
+
+} // namespace
+
+glm::dmat4 model_view_projection(const Scene &scene, const Object &object, double aspect) {
+    return view_projection(scene.camera, aspect) * camera_relative_model(scene, object);
+}
+
+void upload_uniforms(const GlProgram &program, const DrawInput &input) {
+    Uploader uploader(program);
+    const Scene &scene = input.scene;
+    const Material &material = input.object.material;
+    uploader.put("model_view_projection", glm::mat4(model_view_projection(scene, input.object, input.aspect)));
+    uploader.put("model", glm::mat4(camera_relative_model(scene, input.object)));
+    uploader.put("normal_matrix", glm::mat3(normal_matrix(linear_part(input.object.transform))));
+    uploader.put("eye", glm::vec3(scene.camera.position));
+    uploader.put("view_direction", glm::vec3(-camera_axes(scene.camera).forward));
+    uploader.put("shininess", static_cast<float>(raised_exponent(scene, input.technique.model, material)));
+    uploader.put("emission", glm::vec3(material.emission));
+    uploader.put("object_id", input.object_id);
+    uploader.put("base_texture", 0);
+    if (material.checker) {
+        put_checker(uploader, *material.checker, input.mesh);
+    }
+    if (input.technique.program == Program::full) {
+        put_full_uniforms(uploader, input);
+    } else {
+        const glm::dvec3 emission = program.has("emission") ? glm::dvec3(0) : material.emission;
+        uploader.put("ambient", glm::vec3(constant_ambient_light(scene, input.technique, material) + emission));
+        const ContributingLights lights = contributing_lights(scene, input.technique, input.object);
+        put_lights(uploader, input, "directional", lights.directional);
+        put_lights(uploader, input, "point", lights.point);
+        put_lights(uploader, input, "spot", lights.spot);
+    }
+    uploader.require_all_set();
+}
+
+} // namespace sandbox

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "render/gl_program.h"
+#include "scene/mesh.h"
+#include "scene/scene.h"
+#include "shading/features.h"
+
+namespace sandbox {
+
+/// What one draw of one object uploads. Positions are relative to the eye, computed in double.
+struct DrawInput {
+    const Scene &scene;
+    const Technique &technique;
+    const Object &object;
+    const Mesh &mesh;
+    double aspect;
+    unsigned object_id; ///< index + 1
+};
+
+/// Sets every active uniform of `program`, which is in use. Throws std::logic_error if one stays unset.
+void upload_uniforms(const GlProgram &program, const DrawInput &input);
+
+/// clip = result * object position.
+glm::dmat4 model_view_projection(const Scene &scene, const Object &object, double aspect);
+
+} // namespace sandbox

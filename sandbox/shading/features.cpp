@@ -1,0 +1,268 @@
+#include "shading/features.h"
+
+#include "scene/error.h"
+#include "scene/space.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+namespace sandbox {
+namespace {
+
+bool any(const glm::dvec3 &v) { return v != glm::dvec3(0); }
+
+bool has_cone(const Light &light) { return light.type == LightType::spot && light.cutoff_degrees != 180; }
+bool is_positional(const Light &light) { return light.type != LightType::directional; }
+
+/// The light's terms that are not 0 on this object.
+struct Terms {
+    bool ambient, diffuse, specular;
+};
+Terms terms_of(const Light &light, const Technique &technique, const Material &material) {
+    const bool shines = light.enabled && any(light.color);
+    const auto meets = [&](const glm::dvec3 &color) { return shines && any(light.color * color); };
+    return {meets(material.ambient) && light.ambient != 0, meets(material.diffuse) && light.diffuse != 0,
+            meets(material.specular) && light.specular != 0 && technique.model != Model::lambert};
+}
+
+/// Rows of a rigid (or uniformly scaled) linear part are orthogonal and equally long, to double's rounding.
+bool is_uniform(const glm::dmat3 &m) {
+    const glm::dmat3 gram = glm::transpose(m) * m;
+    const double scale = gram[0][0];
+    double off = 0;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            off = std::max(off, std::abs(gram[i][j] - (i == j ? scale : 0)));
+        }
+    }
+    return scale > 0 && off <= 1e-12 * scale;
+}
+
+/// Normals that interpolation may cancel: a triangle whose normals do not lie within one open half space needs a pair
+/// at 120 degrees or more.
+bool normals_may_cancel(const Mesh &mesh) {
+    return std::ranges::any_of(mesh.triangles, [&](const glm::uvec3 &t) {
+        const auto &n = mesh.normals;
+        return glm::dot(n[t.x], n[t.y]) < -0.49 || glm::dot(n[t.y], n[t.z]) < -0.49 || glm::dot(n[t.z], n[t.x]) < -0.49;
+    });
+}
+
+void derive_normal_transform(Features &f, const Technique &technique, const Object &object) {
+    const glm::dmat3 linear = linear_part(object.transform);
+    const bool uniform = is_uniform(linear);
+    const double scale = std::cbrt(std::abs(glm::determinant(linear)));
+    const bool identity = uniform && linear == glm::dmat3(linear[0][0]) && linear[0][0] > 0;
+    if (identity) {
+        f.normal_transform = NormalTransform::identity;
+        return;
+    }
+    if (technique.normals == Normals::untransformed) {
+        f.untransformed_normals = true;
+    } else if (uniform && std::abs(scale - 1) <= 1e-12) {
+        f.normal_transform = NormalTransform::rigid;
+    } else if (technique.normals == Normals::model_matrix && !uniform) {
+        f.model_matrix_normals = true;
+    } else {
+        f.normal_transform = NormalTransform::normal_matrix;
+    }
+}
+
+/// Could the light lie on the object? Its position against the mesh's bounds, in object space, with some room.
+bool may_touch(const Light &light, const Object &object, const Mesh &mesh) {
+    const glm::dmat3 linear = linear_part(object.transform);
+    if (std::abs(glm::determinant(linear)) == 0) {
+        return true;
+    }
+    const Bounds bounds = bounds_of(mesh);
+    const glm::dvec3 room = 0.01 * (bounds.high - bounds.low) + glm::dvec3(1e-3 * half_extent(mesh));
+    const glm::dvec3 p = glm::inverse(linear) * (light.position - object.transform.translate);
+    return glm::all(glm::greaterThanEqual(p, bounds.low - room)) &&
+           glm::all(glm::lessThanEqual(p, bounds.high + room));
+}
+
+Exponent exponent_kind(const Technique &technique, double n) {
+    const bool can_be_stable = technique.renormalize == Renormalize::on || technique.model == Model::blinn_phong;
+    if (n == 0 || n == 1) {
+        return n == 0 ? Exponent::zero : Exponent::one;
+    }
+    if (technique.power == Power::stable || (technique.power == Power::automatic && n >= stable_power_from)) {
+        return can_be_stable ? Exponent::stable : Exponent::textbook;
+    }
+    return Exponent::textbook;
+}
+
+void add_light(LightFeatures &f, const Light &light, const Technique &technique, const Material &material) {
+    const Terms terms = terms_of(light, technique, material);
+    f.count += 1;
+    if (terms.ambient && ambient_with_light(light, technique)) {
+        (light.attenuate_ambient && fades(light) ? f.attenuated_ambient : f.ambient) = true;
+    }
+    f.diffuse |= terms.diffuse;
+    f.specular |= terms.specular;
+    if (is_positional(light) && light.attenuation != Attenuation{}) {
+        f.constant |= light.attenuation.constant != 0;
+        f.linear |= light.attenuation.linear != 0;
+        f.quadratic |= light.attenuation.quadratic != 0;
+    }
+    if (!has_cone(light)) {
+        return;
+    }
+    (light.inner_cutoff_degrees < light.cutoff_degrees ? f.soft_cone : f.hard_cone) = true;
+    (light.exponent != 0 ? f.exponent : f.no_exponent) = true;
+    f.stable_exponent |= technique.power == Power::stable ||
+                         (technique.power == Power::automatic && light.exponent >= stable_power_from);
+}
+
+LightFeatures light_features(const std::vector<std::size_t> &indices, const Scene &scene, const Technique &technique,
+                             const Object &object, const Mesh &mesh) {
+    LightFeatures f;
+    for (const std::size_t i : indices) {
+        const Light &light = scene.lights[i];
+        add_light(f, light, technique, object.material);
+        f.on_surface |= is_positional(light) && may_touch(light, object, mesh);
+    }
+    // One light that fades by distance brings all of its type into the formula, with their own constant.
+    f.constant = f.attenuated() && std::ranges::any_of(indices, [&](std::size_t i) {
+        return scene.lights[i].attenuation.constant != 0;
+    });
+    f.floor = f.attenuated() && std::ranges::any_of(indices, [&](std::size_t i) {
+        return scene.lights[i].attenuation.constant < 1e-6;
+    });
+    f.no_exponent = f.no_exponent && f.exponent;
+    f.stable_exponent = f.stable_exponent && f.exponent;
+    return f;
+}
+
+bool constant_ambient(const Scene &scene, const Technique &technique, const Material &material) {
+    return any(material.ambient * scene.ambient) || std::ranges::any_of(scene.lights, [&](const Light &light) {
+        return terms_of(light, technique, material).ambient && !ambient_with_light(light, technique);
+    });
+}
+
+void derive_surface(Features &f, const Scene &scene, const Technique &technique, const Object &object,
+                    const Mesh &mesh) {
+    const Material &material = object.material;
+    const bool lit_ambient = f.directional.ambient || f.point.ambient || f.spot.ambient ||
+                             f.directional.attenuated_ambient || f.point.attenuated_ambient ||
+                             f.spot.attenuated_ambient;
+    f.ambient = constant_ambient(scene, technique, material);
+    f.base = material.checker ? Base::checker : (material.texture.empty() ? Base::none : Base::texture);
+    if (!f.ambient && !lit_ambient && !f.diffuse() && !(f.specular() && material.texture_modulates_specular)) {
+        f.base = Base::none;
+    }
+    const bool emits = any(material.emission);
+    f.emission = emits && f.base != Base::none;
+    f.ambient |= emits && f.base == Base::none;
+    f.base_times_specular = f.base != Base::none && f.specular() && material.texture_modulates_specular;
+    f.where_lit = technique.ambient == AmbientWhere::where_lit && lit_ambient;
+    f.normals = f.diffuse() || f.specular() || f.where_lit;
+    if (f.normals) {
+        derive_normal_transform(f, technique, object);
+        f.two_sided = object.two_sided;
+    }
+    if (f.specular()) {
+        f.exponent = exponent_kind(technique, raised_exponent(scene, technique.model, material));
+        f.gate = technique.gate;
+    }
+    const bool interpolates_normal = f.frequency == Frequency::per_pixel ||
+                                     f.frequency == Frequency::interpolated_vectors ||
+                                     (f.frequency == Frequency::hybrid && f.specular());
+    f.renormalize = f.normals && interpolates_normal && technique.renormalize == Renormalize::on;
+    f.guard_normal = f.renormalize && normals_may_cancel(mesh);
+}
+
+void derive_half_vectors(Features &f, const Technique &technique) {
+    const bool constant = technique.half_vector == HalfVector::constant;
+    const auto given = [&](const LightFeatures &light) { return f.model == Model::blinn_phong && light.specular && constant; };
+    f.directional.given_half_vector =
+        given(f.directional) ||
+        (f.model == Model::blinn_phong && f.directional.specular && technique.viewer == Viewer::infinite);
+    f.point.given_half_vector = given(f.point);
+    f.spot.given_half_vector = given(f.spot);
+}
+
+/// Does the equation read V, P? What does not is the same program whatever the viewer and the position key say.
+bool needs_view(const Features &f) {
+    const auto open_half = [](const LightFeatures &light) { return light.specular && !light.given_half_vector; };
+    const bool reflects = f.exponent != Exponent::zero &&
+                          (f.model == Model::phong ||
+                           (f.model == Model::blinn_phong &&
+                            (open_half(f.directional) || open_half(f.point) || open_half(f.spot))));
+    return f.normals && (f.two_sided || (f.specular() && (reflects || f.gate == Gate::view_facing)));
+}
+
+/// A frequency or fault that cannot show is replaced by the plain one, so that equal programs have equal features.
+void simplify(Features &f, const Technique &technique) {
+    const bool lights = f.directional.count + f.point.count + f.spot.count > 0;
+    if (!lights) {
+        f.frequency = Frequency::per_pixel;
+        return;
+    }
+    if (f.frequency == Frequency::hybrid && !f.specular()) {
+        f.frequency = Frequency::per_vertex;
+    }
+    f.viewer = needs_view(f) ? technique.viewer : Viewer::local;
+    const bool positional = f.point.count + f.spot.count > 0;
+    if (positional || (needs_view(f) && f.viewer == Viewer::local)) {
+        f.position = technique.position;
+    }
+    if (f.point.attenuated() || f.spot.attenuated()) {
+        f.attenuation = technique.attenuation;
+    }
+    f.unnegated_diffuse = f.directional.diffuse && technique.direction == DirectionSign::unnegated_diffuse;
+}
+
+} // namespace
+
+bool fades(const Light &light) {
+    return (is_positional(light) && light.attenuation != Attenuation{}) || has_cone(light);
+}
+
+bool ambient_with_light(const Light &light, const Technique &technique) {
+    return technique.ambient == AmbientWhere::where_lit || (light.attenuate_ambient && fades(light));
+}
+
+double raised_exponent(const Scene &scene, Model model, const Material &material) {
+    return model == Model::blinn_phong ? scene.blinn_exponent_scale * material.shininess : material.shininess;
+}
+
+ContributingLights contributing_lights(const Scene &scene, const Technique &technique, const Object &object) {
+    ContributingLights result;
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        const Light &light = scene.lights[i];
+        const Terms terms = terms_of(light, technique, object.material);
+        const bool ambient = terms.ambient && ambient_with_light(light, technique);
+        if (!ambient && !terms.diffuse && !terms.specular) {
+            continue;
+        }
+        auto &list = light.type == LightType::directional ? result.directional
+                     : has_cone(light)                    ? result.spot
+                                                          : result.point;
+        list.push_back(i);
+    }
+    return result;
+}
+
+Features derive_features(const Scene &scene, const Technique &technique, const Object &object, const Mesh &mesh,
+                         bool object_ids) {
+    Features f;
+    f.object_ids = object_ids;
+    f.frequency = technique.frequency;
+    if (technique.program == Program::full) {
+        f.program = Program::full;
+        return f;
+    }
+    const ContributingLights lights = contributing_lights(scene, technique, object);
+    f.directional = light_features(lights.directional, scene, technique, object, mesh);
+    f.point = light_features(lights.point, scene, technique, object, mesh);
+    f.spot = light_features(lights.spot, scene, technique, object, mesh);
+    f.model = f.specular() ? technique.model : Model::lambert;
+    derive_surface(f, scene, technique, object, mesh);
+    derive_half_vectors(f, technique);
+    simplify(f, technique);
+    return f;
+}
+
+} // namespace sandbox

@@ -1,0 +1,38 @@
+#include "shading/program_source.h"
+
+#include <algorithm>
+#include <regex>
+#include <sstream>
+
+namespace sandbox {
+
+StageSource whole_part(const ShaderParts &parts, const std::string &part) {
+    StageSource source{parts.text(part), {}};
+    const auto lines = std::ranges::count(source.text, '\n');
+    for (int line = 1; line <= lines; ++line) {
+        source.origins.push_back({part, line});
+    }
+    return source;
+}
+
+std::string map_log(const std::string &log, const StageSource &source) {
+    // Mesa "0:31(5): error", NVIDIA "0(31) : error", Intel and AMD "ERROR: 0:31: ..."
+    static const std::regex place(R"(\b0(?::(\d+)(?:\(\d+\))?|\((\d+)\))\s*:)");
+    std::istringstream lines(log);
+    std::string result;
+    for (std::string line; std::getline(lines, line);) {
+        std::smatch match;
+        if (std::regex_search(line, match, place)) {
+            const auto number = std::stoul(match[1].matched ? match[1].str() : match[2].str());
+            if (number >= 1 && number <= source.origins.size()) {
+                const LineOrigin &origin = source.origins[number - 1];
+                line = match.prefix().str() + origin.part + ":" + std::to_string(origin.line) + ":" +
+                       match.suffix().str();
+            }
+        }
+        result += line + "\n";
+    }
+    return result;
+}
+
+} // namespace sandbox

@@ -1,0 +1,2 @@
+#include "attenuation_light.glsl" with point
+#include "attenuation_light.glsl" with spot

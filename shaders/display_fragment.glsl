@@ -1,0 +1,21 @@
+#version 330 core
+
+layout(location = 0) out vec4 color;
+
+uniform sampler2D linear_picture;
+uniform float exposure;
+uniform bool srgb;
+
+// IEC 61966-2-1
+vec3 srgb_curve(vec3 x)
+{
+    return mix(12.92 * x, 1.055 * pow(x, vec3(1.0 / 2.4)) - 0.055, greaterThan(x, vec3(0.0031308)));
+}
+
+void main()
+{
+    vec3 light = texelFetch(linear_picture, ivec2(gl_FragCoord.xy), 0).rgb * exposure;
+    vec3 shown = clamp(light, 0.0, 1.0);
+    bool finite = all(lessThan(abs(light), vec3(3.4e38)));
+    color = vec4(finite ? (srgb ? srgb_curve(shown) : shown) : vec3(1.0, 0.0, 1.0), 1.0);
+}

@@ -1,0 +1,63 @@
+#version 330 core
+
+#include "varyings.glsl"
+layout(location = 0) out vec4 color;
+#if object_ids
+layout(location = 1) out uint id;
+
+uniform uint object_id;
+#endif
+
+#if fragment.lit
+#include "lighting.glsl"
+#elif fragment.constant_ambient
+uniform vec3 ambient; // all constant ambient light, times the material
+#endif
+#if emission
+uniform vec3 emission;
+#endif
+#if texture
+uniform sampler2D base_texture;
+#elif checker
+#include "base_checker.glsl"
+#endif
+
+void main()
+{
+#if fragment.N
+#if guard_normal
+    vec3 N = v_normal / max(length(v_normal), 1e-18); // interpolated normals may cancel
+#elif renormalize
+    vec3 N = normalize(v_normal);
+#else
+    vec3 N = v_normal; // Fault: interpolation left it shorter than 1.
+#endif
+#endif
+#if fragment.V
+#if viewer_infinite
+    vec3 V = view_direction; // Fault: the same for every point.
+#elif vectors
+    vec3 V = normalize(v_view);
+#else
+    vec3 V = normalize(-v_position);
+#endif
+#endif
+#if fragment.N && fragment.V && two_sided
+    N = dot(N, V) < 0.0 ? -N : N;
+#endif
+#if texture
+    vec3 base = texture(base_texture, v_uv).rgb;
+#elif checker
+    vec3 base = checker_color(v_object_position);
+#endif
+#if fragment.separate_specular
+    vec3 specular = vec3(0.0);
+#endif
+#if fragment.lit
+    vec3 light = lighting(${fragment.surface_arguments});
+#endif
+    color = vec4(${fragment.color}, 1.0);
+#if object_ids
+    id = object_id;
+#endif
+}

@@ -1,0 +1,19 @@
+#if light.uses_n_dot_l
+    float n_dot_l = dot(N, L);
+#endif
+#if light.adds_specular && gate_light_facing
+    float highlight = n_dot_l > 0.0 ? ${light.highlight} : 0.0;
+#elif light.adds_specular && gate_view_facing
+    float highlight = dot(N, V) > 0.0 ? ${light.highlight} : 0.0; // Fault: asks whether the viewer is in front, not the light.
+#elif light.adds_specular
+    float highlight = ${light.highlight}; // Fault: shines through from behind.
+#endif
+#if light.adds_ambient || light.adds_attenuated_ambient
+#if where_lit
+    float lit = n_dot_l > 0.0 ? 1.0 : 0.0; // Fault: ambient light needs no facing.
+#endif
+#endif
+#if light.adds_specular && stage.separate_specular
+    specular += ${light.specular_sum};
+#endif
+    return ${light.sum};

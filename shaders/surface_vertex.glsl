@@ -1,0 +1,38 @@
+#if vertex.P || rigid || model_matrix_normals
+uniform mat4 model; // world space, moved so that the eye is the origin
+#endif
+#if normal_matrix
+uniform mat3 normal_matrix; // inverse transpose of model
+#endif
+#if w0
+uniform vec3 eye;
+#endif
+
+#if vertex.P
+vec3 surface_position()
+{
+#if w0
+    // Fault: w = 0 drops the translation.
+    return (model * vec4(${vertex.point}, 0.0)).xyz - eye;
+#else
+    return (model * vec4(${vertex.point}, 1.0)).xyz;
+#endif
+}
+
+#endif
+#if vertex.N
+vec3 surface_normal()
+{
+#if normal_matrix
+    return normalize(normal_matrix * a_normal);
+#elif rigid
+    return mat3(model) * a_normal;
+#elif model_matrix_normals
+    return normalize(mat3(model) * a_normal); // Fault: wrong under non-uniform scale.
+#elif untransformed_normals
+    return a_normal; // Fault: still in object space.
+#else
+    return a_normal;
+#endif
+}
+#endif

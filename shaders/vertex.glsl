@@ -1,0 +1,70 @@
+#version 330 core
+
+layout(location = 0) in vec3 a_position;
+#if vertex.N
+layout(location = 1) in vec3 a_normal;
+#endif
+#if texture
+layout(location = 2) in vec2 a_uv;
+#endif
+#if flat && vertex.P
+layout(location = 3) in vec3 a_centroid;
+#endif
+
+#include "varyings.glsl"
+
+uniform mat4 model_view_projection;
+#include "surface_vertex.glsl"
+#if vertex.lit
+#include "lighting.glsl"
+#elif vertex.declares_lights
+#include "lights.glsl"
+#if vertex.uses_view_direction
+uniform vec3 view_direction; // towards a viewer at infinity
+#endif
+#endif
+
+void main()
+{
+    gl_Position = model_view_projection * vec4(a_position, 1.0);
+#if vertex.P
+    vec3 P = surface_position();
+#endif
+#if vertex.N
+    vec3 N = surface_normal();
+#endif
+#if vertex.V && viewer_infinite
+    vec3 V = view_direction;
+#elif vertex.V
+    vec3 V = -P / max(length(P), 1e-18); // a vertex may lie at the eye
+#endif
+#if vertex.N && vertex.V && two_sided
+    N = dot(N, V) < 0.0 ? -N : N;
+#endif
+#if vertex.separate_specular
+    v_specular = vec3(0.0);
+#endif
+#if vertex.lit
+    v_light = lighting(${vertex.surface_arguments});
+#endif
+#if vectors
+#include "vectors_vertex.glsl"
+#else
+#include "attenuation_vertex.glsl"
+#endif
+#if fragment.P
+    v_position = P;
+#endif
+#if fragment.N
+    v_normal = N;
+#endif
+#if vectors && fragment.V && !viewer_infinite
+    v_view = V;
+#endif
+#if texture
+    v_uv = a_uv;
+#endif
+#if checker
+    v_object_position = a_position;
+#endif
+}
