@@ -1,0 +1,53 @@
+#pragma once
+
+#include "image/image.h"
+#include "reference/reference.h"
+
+#include <cstddef>
+#include <optional>
+
+/// How far one picture is from another, in linear colour and as the eye sees it.
+namespace sandbox {
+
+/// Over all three channels of the compared pixels, as differences of linear colour. All are infinite if either picture
+/// holds a pixel that is not finite: no bound can then be met.
+struct Norms {
+    double rmse = 0;
+    double mean_abs = 0;
+    double max_abs = 0;
+    double p99_abs = 0; ///< the smallest value that 99 % of the channels' differences do not exceed
+};
+
+/// The figures of `compare`. Compared are the pixels where both pictures show the same object, except those at an edge
+/// or at a jump of the reference; the rest is counted apart. Background is never compared.
+struct Metrics {
+    std::size_t nonfinite_pixels = 0;  ///< in either picture, background included; anything above 0 is a failure
+    std::size_t compared_pixels = 0;
+    std::size_t silhouette_pixels = 0; ///< the two show different objects
+    std::size_t edge_pixels = 0;       ///< same object, at an edge (ReferenceFrame::edge)
+    std::size_t jump_pixels = 0;       ///< same object, not at an edge, at a jump (ReferenceFrame::jump)
+    Norms norms;
+    std::optional<double> psnr; ///< dB, peak 1; none for identical pictures; -infinity if not finite
+    int max_levels = 0;         ///< largest difference of the compared pixels in 8 bits, linear display
+    double differing_share = 0; ///< share of the compared pixels that differ by a level or more
+    double flip = 0;            ///< mean LDR FLIP of the whole pictures in 8 bits, linear display
+};
+
+/// `left` is judged against `right`. Both must have the same size and object ids (std::invalid_argument otherwise).
+Metrics compare(const Frame &left, const ReferenceFrame &right);
+/// Two drawn pictures: no edges or jumps are known, so no pixel is counted as such.
+Metrics compare(const Frame &left, const Frame &right);
+/// Two truths: pixels at an edge or jump of either are left out.
+Metrics compare(const ReferenceFrame &left, const ReferenceFrame &right);
+
+/// Where an error comes from; each part over the pixels that its two pictures both show.
+struct ErrorSplit {
+    Norms interpolation;           ///< the technique in double against per-pixel in double, both on this mesh
+    std::optional<Norms> geometry; ///< per-pixel in double on this mesh against the analytic surface; none without one
+    Norms arithmetic;              ///< the float32 picture against the same technique in double
+    Norms quantisation;            ///< the float32 picture, clamped to [0, 1], against its 8-bit levels
+};
+ErrorSplit split_error(const Frame &drawn, const ReferenceFrame &technique, const ReferenceFrame &per_pixel,
+                       const ReferenceFrame *analytic);
+
+} // namespace sandbox

@@ -1,0 +1,186 @@
+#include "reference/lighting.h"
+
+#include "scene/space.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+namespace sandbox::reference {
+
+namespace {
+
+constexpr double attenuation_floor = 1e-6;
+
+/// Exact at 90 degrees, where std::cos leaves 6e-17.
+double cos_degrees(double degrees) { return degrees == 90 ? 0 : std::cos(glm::radians(degrees)); }
+
+double smoothstep(double edge0, double edge1, double x) {
+    const double t = std::clamp((x - edge0) / (edge1 - edge0), 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+}
+
+LightSetup prepare_light(const Light &light, const glm::dvec3 &eye, const glm::dvec3 &view_axis) {
+    LightSetup setup;
+    setup.light = light;
+    setup.position = light.position - eye;
+    setup.travel = unit(light.direction);
+    setup.cone = light.type == LightType::spot && light.cutoff_degrees != 180;
+    setup.cos_outer = cos_degrees(light.cutoff_degrees);
+    setup.cos_inner = cos_degrees(light.inner_cutoff_degrees);
+    const glm::dvec3 to_light = light.type == LightType::directional ? -setup.travel : unit(light.position);
+    setup.constant_half = unit(to_light + view_axis);
+    return setup;
+}
+
+/// c, s and s_uncut of a spot; the exponent counts only inside a cone (cutoff 180 drops it, as OpenGL did).
+void spot_factor(const LightSetup &light, LightTerms &terms) {
+    if (light.light.type != LightType::spot) {
+        return;
+    }
+    terms.c = glm::dot(-terms.vectors.l, light.travel);
+    if (!light.cone) {
+        return;
+    }
+    terms.s_uncut = power_of_dot(-terms.vectors.l, light.travel, light.light.exponent);
+    terms.s = terms.c < light.cos_outer ? 0 : terms.s_uncut;
+    if (light.light.inner_cutoff_degrees < light.light.cutoff_degrees && terms.s != 0) {
+        terms.s *= smoothstep(light.cos_outer, light.cos_inner, terms.c);
+    }
+}
+
+bool gate_open(Gate gate, double n_dot_l, const glm::dvec3 &n, const glm::dvec3 &v) {
+    switch (gate) {
+    case Gate::light_facing:
+        return n_dot_l > 0;
+    case Gate::view_facing:
+        return glm::dot(n, v) > 0;
+    case Gate::none:
+        return true;
+    }
+    return true;
+}
+
+void specular_factor(const Setup &setup, const glm::dvec3 &n, const glm::dvec3 &v, double shininess, LightTerms &terms) {
+    const bool blinn = setup.technique.model == Model::blinn_phong;
+    const glm::dvec3 &a = blinn ? n : terms.vectors.r;
+    const glm::dvec3 &b = blinn ? terms.vectors.h : v;
+    terms.exponent = blinn ? setup.blinn_exponent_scale * shininess : shininess;
+    terms.f = std::max(glm::dot(a, b), 0.0);
+    terms.f_power = power_of_dot(a, b, terms.exponent);
+    terms.gate = gate_open(setup.technique.gate, terms.n_dot_l, n, v);
+}
+
+} // namespace
+
+glm::dvec3 unit(const glm::dvec3 &v) {
+    const double square = glm::dot(v, v);
+    if (square > 1e-200 && square < 1e200) {
+        return v / std::sqrt(square);
+    }
+    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (!(largest > 0)) {
+        return glm::dvec3(0);
+    }
+    const glm::dvec3 scaled = v / largest;
+    return scaled / glm::length(scaled);
+}
+
+double power_of_dot(const glm::dvec3 &a, const glm::dvec3 &b, double n) {
+    if (n == 0) {
+        return 1;
+    }
+    const double lengths = std::sqrt(glm::dot(a, a)) * std::sqrt(glm::dot(b, b));
+    const glm::dvec3 u = unit(a);
+    const glm::dvec3 w = unit(b);
+    const double cosine = glm::dot(u, w);
+    if (!(cosine > 0)) {
+        return 0;
+    }
+    const glm::dvec3 gap = u - w;
+    double logarithm = cosine > 0.5 ? std::log1p(-glm::dot(gap, gap) / 2) : std::log(cosine);
+    // Lengths that differ from 1 by rounding alone must not be raised to n.
+    if (std::abs(lengths - 1) > 1e-15) {
+        logarithm += std::log(lengths);
+    }
+    return std::exp(n * logarithm);
+}
+
+double attenuation(const Attenuation &k, double d) {
+    return 1 / std::max(k.constant + (k.linear + k.quadratic * d) * d, attenuation_floor);
+}
+
+Setup prepare(const Scene &scene, const Technique &technique) {
+    Setup setup;
+    setup.technique = technique;
+    setup.eye = scene.camera.position;
+    setup.view_axis = -camera_axes(scene.camera).forward;
+    setup.ambient = scene.ambient;
+    setup.blinn_exponent_scale = scene.blinn_exponent_scale;
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        if (scene.lights[i].enabled) {
+            setup.lights.push_back(prepare_light(scene.lights[i], setup.eye, setup.view_axis));
+            setup.light_index.push_back(i);
+        }
+    }
+    return setup;
+}
+
+glm::dvec3 view_vector(const Setup &setup, const glm::dvec3 &p) {
+    return setup.technique.viewer == Viewer::infinite ? setup.view_axis : unit(-p);
+}
+
+LightVectors light_vectors(const Setup &setup, const LightSetup &light, const glm::dvec3 &p, const glm::dvec3 &n,
+                           const glm::dvec3 &v) {
+    LightVectors vectors;
+    if (light.light.type == LightType::directional) {
+        vectors.l = -light.travel;
+    } else {
+        const glm::dvec3 to_light = light.position - p;
+        vectors.d = glm::length(to_light);
+        vectors.l = vectors.d == 0 ? n : unit(to_light);
+        vectors.a = attenuation(light.light.attenuation, vectors.d);
+    }
+    if (setup.technique.model == Model::phong) {
+        vectors.r = 2 * glm::dot(n, vectors.l) * n - vectors.l;
+    }
+    if (setup.technique.model == Model::blinn_phong) {
+        const bool constant = setup.technique.half_vector == HalfVector::constant;
+        vectors.h = constant ? light.constant_half : unit(vectors.l + v);
+        if (vectors.h == glm::dvec3(0)) {
+            vectors.h = n;
+        }
+    }
+    return vectors;
+}
+
+LightTerms light_terms(const Setup &setup, const LightSetup &light, const LightVectors &vectors, const glm::dvec3 &n,
+                       const glm::dvec3 &v, double shininess) {
+    const Technique &technique = setup.technique;
+    LightTerms terms;
+    terms.vectors = vectors;
+    terms.n_dot_l = glm::dot(n, vectors.l);
+    spot_factor(light, terms);
+    const double reach = vectors.a * terms.s;
+
+    if (technique.ambient == AmbientWhere::everywhere || terms.n_dot_l > 0) {
+        terms.ambient = light.light.color * light.light.ambient * (light.light.attenuate_ambient ? reach : 1);
+    }
+    const bool unnegated =
+        technique.direction == DirectionSign::unnegated_diffuse && light.light.type == LightType::directional;
+    const double incidence = unnegated ? glm::dot(n, light.travel) : terms.n_dot_l;
+    terms.diffuse = light.light.color * (light.light.diffuse * std::max(incidence, 0.0) * reach);
+    if (technique.model != Model::lambert) {
+        specular_factor(setup, n, v, shininess, terms);
+        terms.specular = light.light.color * (terms.gate ? light.light.specular * terms.f_power * reach : 0);
+    }
+    return terms;
+}
+
+glm::dvec3 compose(const Material &material, const glm::dvec3 &base, const Reflected &reflected) {
+    const glm::dvec3 tint = material.texture_modulates_specular ? base : glm::dvec3(1);
+    return material.emission + base * reflected.body + tint * reflected.highlight;
+}
+
+} // namespace sandbox::reference

@@ -1,0 +1,99 @@
+#pragma once
+
+#include "scene/scene.h"
+#include "shading/technique.h"
+
+#include <glm/vec3.hpp>
+#include <vector>
+
+/// The shading equations in double, one function a formula, for any point. Everything is measured from the eye
+/// (world axes, origin at the camera), so that scenes far from the world's origin lose nothing; colours are linear RGB.
+///
+/// Where the equations leave a choice, the truth chooses:
+/// - unit(0) = 0: a direction that does not exist lights nothing (an interpolated normal that cancels, V at the eye).
+/// - half_vector=constant: H = unit(unit(light position from the world's origin, or -direction) + view axis), the view
+///   axis being -camera forward.
+/// - ambient=where-lit drops a light's own ambient term; the scene's ambient stays.
+/// - direction=unnegated-diffuse changes the diffuse term alone; L, R, H and the gate keep the right direction.
+namespace sandbox::reference {
+
+/// v / |v| without overflow or underflow on the way; 0 for 0.
+glm::dvec3 unit(const glm::dvec3 &v);
+
+/// max(a.b, 0)^n, with x^0 = 1 also for x = 0. Worked out from |a - b|^2 where the cosine is near 1, so that the relative
+/// error stays near 1e-15 + n * 1e-16 * angle. The vectors need not be unit: their lengths count as in the dot product.
+double power_of_dot(const glm::dvec3 &a, const glm::dvec3 &b, double n);
+
+/// 1 / max(kc + kl d + kq d^2, 1e-6), d in world units.
+double attenuation(const Attenuation &k, double d);
+
+/// A light and what follows from it once per picture.
+struct LightSetup {
+    Light light;
+    glm::dvec3 position{0};      ///< from the eye; point, spot
+    glm::dvec3 travel{0};        ///< unit(direction); directional, spot
+    bool cone = false;           ///< a spot whose cutoff is not 180 degrees
+    double cos_outer = -1;       ///< cos(cutoff)
+    double cos_inner = -1;       ///< cos(inner cutoff); equal to cos_outer: a hard edge
+    glm::dvec3 constant_half{0}; ///< H under half_vector=constant
+};
+
+/// A scene's lights (those switched on) and the technique, ready to be evaluated anywhere.
+struct Setup {
+    Technique technique;
+    glm::dvec3 eye{0};             ///< world space: what everything here is measured from
+    glm::dvec3 view_axis{0, 0, 1}; ///< -camera forward
+    glm::dvec3 ambient{0};
+    double blinn_exponent_scale = 1;
+    std::vector<LightSetup> lights;
+    std::vector<std::size_t> light_index; ///< of lights[i] in the scene's list
+};
+Setup prepare(const Scene &scene, const Technique &technique);
+
+/// V at p, by the viewer key.
+glm::dvec3 view_vector(const Setup &setup, const glm::dvec3 &p);
+
+/// The vectors of one light as the equation meets them: exact at a point, or as interpolated over a triangle.
+struct LightVectors {
+    glm::dvec3 l{0}; ///< unit, to the light
+    double d = 0;    ///< distance, world units; 0 for directional
+    double a = 1;    ///< attenuation
+    glm::dvec3 r{0}; ///< 2 (N.L) N - L; Phong
+    glm::dvec3 h{0}; ///< unit(L + V), N where L = -V; Blinn-Phong
+};
+LightVectors light_vectors(const Setup &setup, const LightSetup &light, const glm::dvec3 &p, const glm::dvec3 &n,
+                           const glm::dvec3 &v);
+
+/// Every intermediate of one light at one point. ambient, diffuse and specular are A_i, D_i, S_i: no material yet.
+struct LightTerms {
+    LightVectors vectors;
+    double n_dot_l = 0;
+    double c = 1;         ///< spot: dot(-L, unit(D))
+    double s = 1;         ///< spot factor
+    double s_uncut = 1;   ///< the spot factor as if the cone did not end: max(c, 0)^exponent
+    double f = 0;         ///< max(R.V, 0) or max(N.H, 0)
+    double exponent = 0;  ///< n as it is raised (n_B for Blinn-Phong)
+    double f_power = 0;   ///< f^n
+    bool gate = false;    ///< does the specular term pass?
+    glm::dvec3 ambient{0};
+    glm::dvec3 diffuse{0};
+    glm::dvec3 specular{0};
+};
+LightTerms light_terms(const Setup &setup, const LightSetup &light, const LightVectors &vectors, const glm::dvec3 &n,
+                       const glm::dvec3 &v, double shininess);
+
+/// The reflected light before the surface's own colour `base` is known: base comes per pixel under every frequency.
+struct Reflected {
+    glm::dvec3 body{0};      ///< m_a (scene.ambient + sum A) + m_d sum D
+    glm::dvec3 highlight{0}; ///< m_s sum S
+};
+
+/// emission + base * body + (texture_modulates_specular ? base : 1) * highlight
+glm::dvec3 compose(const Material &material, const glm::dvec3 &base, const Reflected &reflected);
+
+/// N turned to the viewer where the object is two-sided and N.V < 0.
+inline glm::dvec3 facing(bool two_sided, const glm::dvec3 &n, const glm::dvec3 &v) {
+    return two_sided && n.x * v.x + n.y * v.y + n.z * v.z < 0 ? -n : n;
+}
+
+} // namespace sandbox::reference

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "reference/lighting.h"
+#include "reference/parallel.h"
+#include "reference/raster.h"
+#include "reference/surface.h"
+#include "scene/resources.h"
+
+#include <span>
+#include <vector>
+
+/// The meshes of a scene with everything that the technique works out before there are pixels: at vertices, or once a
+/// triangle.
+namespace sandbox::reference {
+
+struct MeshObject {
+    const Object *object = nullptr;
+    const Mesh *mesh = nullptr;
+    Placement placement;
+    BaseColor base;
+    std::vector<glm::dvec3> positions;   ///< a vertex each, as lit, from the eye
+    std::vector<glm::dvec3> normals;     ///< a vertex each, unit, world axes
+    std::vector<Reflected> lit;          ///< flat: a triangle each; per-vertex, hybrid: a vertex each; else empty
+    std::vector<unsigned char> unstable; ///< beside `lit`: float32 rounding may take the equation's other branch there
+};
+
+struct MeshScene {
+    Setup setup;
+    std::vector<MeshObject> objects;
+    std::vector<RasterObject> raster;
+};
+
+/// `scene` and `resources` must outlive the result.
+MeshScene prepare_meshes(const Scene &scene, const std::vector<ObjectResources> &resources, const Technique &technique,
+                         Size size);
+
+/// A triangle's own normal in object space, turned to the side of its vertices' mean normal; unit.
+glm::dvec3 face_normal(const Mesh &mesh, const glm::uvec3 &triangle);
+
+} // namespace sandbox::reference

@@ -1,0 +1,78 @@
+#include "reference/fragment.h"
+#include "reference/picture.h"
+
+namespace sandbox::reference {
+
+namespace {
+
+class MeshPicture : public Picture {
+  public:
+    MeshPicture(const Scene &scene, const std::vector<ObjectResources> &resources, const Technique &technique, Size size)
+        : size_(size), meshes_(prepare_meshes(scene, resources, technique, size)),
+          rasteriser_(meshes_.raster, size, scene.camera.near_plane, scene.camera.far_plane) {}
+
+    [[nodiscard]] std::size_t bands() const override { return rasteriser_.bands(); }
+
+    void draw(std::size_t band, ReferenceFrame &frame) const override {
+        const std::vector<Hit> hits = rasteriser_.draw(band);
+        const int width = size_.width;
+        const auto first = static_cast<std::size_t>(rasteriser_.first_row(band)) * static_cast<std::size_t>(width);
+        for (std::size_t i = 0; i < hits.size(); ++i) {
+            const int x = static_cast<int>(i) % width;
+            const int y = rasteriser_.first_row(band) + static_cast<int>(i) / width;
+            shade(hits[i], x, y, first + i, frame);
+        }
+    }
+
+    [[nodiscard]] std::optional<PixelProbe> probe(int x, int y) const override {
+        const std::size_t band = rasteriser_.band_of(y);
+        const std::vector<Hit> hits = rasteriser_.draw(band);
+        const Hit &hit = hits[static_cast<std::size_t>(y - rasteriser_.first_row(band)) *
+                                  static_cast<std::size_t>(size_.width) +
+                              static_cast<std::size_t>(x)];
+        if (hit.object == 0) {
+            return {};
+        }
+        const Fragment fragment(meshes_, hit, x + 0.5, y + 0.5);
+        const Material &material = fragment.object().object->material;
+        PixelProbe probe = probe_place(meshes_.setup, material, fragment.place(), fragment);
+        probe.object = hit.object - 1;
+        probe.triangle = hit.triangle;
+        probe.base = fragment.base();
+        probe.color = fragment.color();
+        probe.edge = on_edge(hit, fragment);
+        probe.jump = fragment.unstable();
+        return probe;
+    }
+
+  private:
+    /// A neighbour that just misses the centre counts if it would be seen there, within the depth buffer's resolution.
+    [[nodiscard]] bool on_edge(const Hit &hit, const Fragment &fragment) const {
+        return hit.tie || rasteriser_.beside_wins(hit) || fragment.at_edge();
+    }
+
+    void shade(const Hit &hit, int x, int y, std::size_t pixel, ReferenceFrame &frame) const {
+        if (hit.object == 0) {
+            frame.edge[pixel] = hit.beside > 0 ? 1 : 0;
+            return;
+        }
+        const Fragment fragment(meshes_, hit, x + 0.5, y + 0.5);
+        frame.color[pixel] = fragment.color();
+        frame.object_ids[pixel] = hit.object;
+        frame.edge[pixel] = on_edge(hit, fragment) ? 1 : 0;
+        frame.jump[pixel] = fragment.unstable() ? 1 : 0;
+    }
+
+    Size size_;
+    MeshScene meshes_;
+    Rasteriser rasteriser_;
+};
+
+} // namespace
+
+std::unique_ptr<Picture> mesh_picture(const Scene &scene, const std::vector<ObjectResources> &resources,
+                                      const Technique &technique, Size size) {
+    return std::make_unique<MeshPicture>(scene, resources, technique, size);
+}
+
+} // namespace sandbox::reference

@@ -1,0 +1,82 @@
+#pragma once
+
+#include "image/image.h"
+#include "scene/mesh.h"
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+/// Which triangle each pixel sees, in double. Triangles are never cut: in homogeneous coordinates a triangle that
+/// crosses the eye's plane still has three edge functions, and near and far are tested per sample.
+namespace sandbox::reference {
+
+/// How near a pixel's centre must lie to an edge, or to where the equation takes another branch, to be left out of
+/// error figures. OpenGL snaps vertices to sub-pixels (1/256 pixel, so a centre moves against an edge by up to 1/362
+/// pixel) and places its samples in float32; twice that and a little.
+constexpr double edge_width = 1.0 / 128;
+
+/// A vertex in homogeneous pixels: (x w, y w, w) with x to the right, y down from the top-left corner, w the distance
+/// along the camera's axis (negative behind it).
+using Corner = glm::dvec3;
+
+/// The mesh of one object as the camera sees it.
+struct RasterObject {
+    std::vector<Corner> corners; ///< one a vertex
+    const std::vector<glm::uvec3> *triangles = nullptr;
+    bool closed = false; ///< its back faces cannot be seen, whatever the depth buffer resolves
+};
+
+/// What the centre of one pixel sees.
+struct Hit {
+    std::uint32_t object = 0; ///< 0 background, i + 1 objects[i]
+    std::uint32_t triangle = 0;
+    double inverse_w = 0; ///< 1 / distance along the camera's axis; 0 for the background
+    double beside = 0;    ///< the largest inverse_w of a triangle that misses the centre by less than edge_width
+    bool tie = false;     ///< another triangle lies within float32 depth resolution: OpenGL may pick that one
+    bool turned = false;  ///< its corners run clockwise on the screen
+};
+
+/// Perspective-correct weights of a triangle's corners at the point (x, y) in pixels; they sum to 1.
+glm::dvec3 weights_at(const Corner &a, const Corner &b, const Corner &c, double x, double y);
+
+/// True if the point lies within edge_width of one of the triangle's edges (the lines through its corners).
+bool near_edge(const Corner &a, const Corner &b, const Corner &c, double x, double y);
+
+/// Draws in object order, then triangle order; the nearer wins, the first drawn on a tie. Edges follow the top-left
+/// rule, so that triangles that share an edge cover each pixel once.
+class Rasteriser {
+  public:
+    /// near and far are distances along the camera's axis, both inclusive. Keeps a reference to `objects`.
+    Rasteriser(const std::vector<RasterObject> &objects, Size size, double near, double far);
+
+    /// Rows are drawn in bands, each on its own (so bands may be drawn by any thread).
+    [[nodiscard]] std::size_t bands() const { return bins_.size(); }
+    [[nodiscard]] std::size_t band_of(int row) const;
+    [[nodiscard]] int first_row(std::size_t band) const;
+    [[nodiscard]] int end_row(std::size_t band) const;
+    /// All pixels of a band, row by row.
+    [[nodiscard]] std::vector<Hit> draw(std::size_t band) const;
+
+    /// True if a triangle that misses the centre by less than edge_width is as near as what was hit, or nearer.
+    [[nodiscard]] bool beside_wins(const Hit &hit) const;
+
+  private:
+    struct Entry {
+        std::uint32_t object;
+        std::uint32_t triangle;
+    };
+    struct Box {
+        double left, right, top, bottom;
+    };
+    [[nodiscard]] bool bounds(const Corner &a, const Corner &b, const Corner &c, Box &box) const;
+    void draw_triangle(const Entry &entry, int first_row, int end_row, std::span<Hit> hits) const;
+
+    const std::vector<RasterObject> &objects_;
+    Size size_;
+    double near_, far_;
+    std::vector<std::vector<Entry>> bins_;
+};
+
+} // namespace sandbox::reference

@@ -1,0 +1,76 @@
+#include "reference/reference.h"
+
+#include "reference/picture.h"
+
+#include <chrono>
+#include <stdexcept>
+
+namespace sandbox {
+
+namespace {
+
+std::unique_ptr<reference::Picture> picture_of(const Scene &scene, const std::vector<ObjectResources> &resources,
+                                               const Technique &technique, Size size, Surface surface) {
+    if (size.width <= 0 || size.height <= 0 || resources.size() != scene.objects.size()) {
+        throw std::invalid_argument("reference: a size above 0 and one resource an object are needed");
+    }
+    return surface == Surface::mesh ? reference::mesh_picture(scene, resources, technique, size)
+                                    : reference::analytic_picture(scene, resources, technique, size);
+}
+
+} // namespace
+
+namespace reference {
+
+PixelProbe probe_place(const Setup &setup, const Material &material, const Place &place, const Sampler &sampler) {
+    PixelProbe probe;
+    probe.position = place.position + setup.eye;
+    probe.normal = place.normal;
+    probe.view = place.view;
+    for (std::size_t i = 0; i < setup.lights.size(); ++i) {
+        const LightVectors vectors = sampler.vectors(place, i);
+        probe.lights.push_back({setup.light_index[i], light_terms(setup, setup.lights[i], vectors, place.normal, place.view,
+                                                                  material.shininess)});
+    }
+    return probe;
+}
+
+} // namespace reference
+
+ReferenceFrame render_reference(const Scene &scene, const std::vector<ObjectResources> &resources,
+                                const Technique &technique, Size size, Surface surface, const Progress &progress) {
+    const auto start = std::chrono::steady_clock::now();
+    const auto picture = picture_of(scene, resources, technique, size, surface);
+    const std::size_t pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
+    ReferenceFrame frame;
+    frame.size = size;
+    frame.color.assign(pixels, scene.background);
+    frame.object_ids.assign(pixels, 0);
+    frame.edge.assign(pixels, 0);
+    frame.jump.assign(pixels, 0);
+    parallel_for(picture->bands(), [&](std::size_t band) { picture->draw(band, frame); }, progress);
+    frame.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return frame;
+}
+
+Frame to_frame(const ReferenceFrame &frame) {
+    Frame out;
+    out.color = Image(frame.size);
+    for (std::size_t i = 0; i < frame.color.size(); ++i) {
+        out.color.pixels[i] = glm::vec4(glm::vec3(frame.color[i]), 1);
+    }
+    out.object_ids = frame.object_ids;
+    out.milliseconds = frame.milliseconds;
+    return out;
+}
+
+std::optional<PixelProbe> probe_pixel(const Scene &scene, const std::vector<ObjectResources> &resources,
+                                      const Technique &technique, Size size, int x, int y, Surface surface) {
+    const auto picture = picture_of(scene, resources, technique, size, surface);
+    if (x < 0 || y < 0 || x >= size.width || y >= size.height) {
+        return {};
+    }
+    return picture->probe(x, y);
+}
+
+} // namespace sandbox

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "image/image.h"
+#include "reference/lighting.h"
+#include "reference/parallel.h"
+#include "scene/resources.h"
+#include "scene/scene.h"
+#include "shading/technique.h"
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
+
+/// The truth: a scene under a technique in double, on the CPU, without OpenGL.
+namespace sandbox {
+
+/// The triangles that OpenGL gets, or the shapes they stand for.
+enum class Surface { mesh, analytic };
+
+struct ReferenceFrame {
+    Size size;
+    std::vector<glm::dvec3> color;         ///< linear RGB, row 0 at the top
+    std::vector<std::uint32_t> object_ids; ///< 0 background, i + 1 objects[i]
+    /// 1 where a pixel's centre lies within 1/128 pixel of an edge between triangles, or another surface lies within the
+    /// depth buffer's resolution: OpenGL may see the neighbour.
+    std::vector<std::uint8_t> edge;
+    /// 1 where the equation jumps (gate, hard cone, checker cell, N turned to the viewer) within 1/128 pixel or within
+    /// float32 rounding of what decides it.
+    std::vector<std::uint8_t> jump;
+    double milliseconds = 0;
+};
+
+/// One sample at each pixel's centre. technique.power and technique.program change nothing here. The same inputs give
+/// the same bits on any number of cores. Throws InputError for Surface::analytic with an OBJ, with an object flattened by
+/// a scale of 0, or with a technique that needs vertices; Cancelled if progress says stop.
+ReferenceFrame render_reference(const Scene &scene, const std::vector<ObjectResources> &resources,
+                                const Technique &technique, Size size, Surface surface = Surface::mesh,
+                                const Progress &progress = {});
+
+/// The same picture rounded to float32.
+Frame to_frame(const ReferenceFrame &frame);
+
+/// Every intermediate at one pixel.
+struct PixelProbe {
+    struct LightProbe {
+        std::size_t light = 0; ///< in scene.lights
+        reference::LightTerms terms;
+    };
+    std::size_t object = 0;   ///< in scene.objects
+    std::size_t triangle = 0; ///< in its mesh; 0 for an analytic surface
+    glm::dvec3 position{0};   ///< world space, as lit (position=w0 moves it)
+    glm::dvec3 normal{0};
+    glm::dvec3 view{0};
+    glm::dvec3 base{1};
+    std::vector<LightProbe> lights; ///< those switched on
+    glm::dvec3 color{0};            ///< what render_reference gives there
+    bool edge = false;
+    bool jump = false;
+};
+
+/// What pixel (x, y), row 0 at the top, is made of; nothing for the background. The light terms are those of the
+/// equation at that very point (under flat: at the triangle's centroid); under per-vertex the colour is interpolated
+/// between vertices and need not be their sum. Throws as render_reference does.
+std::optional<PixelProbe> probe_pixel(const Scene &scene, const std::vector<ObjectResources> &resources,
+                                      const Technique &technique, Size size, int x, int y,
+                                      Surface surface = Surface::mesh);
+
+} // namespace sandbox

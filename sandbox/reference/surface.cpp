@@ -1,0 +1,98 @@
+#include "reference/surface.h"
+
+#include "scene/space.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace sandbox::reference {
+
+namespace {
+
+double largest_entry(const glm::dmat3 &m) {
+    double largest = 0;
+    for (int column = 0; column < 3; ++column) {
+        for (int row = 0; row < 3; ++row) {
+            largest = std::max(largest, std::abs(m[column][row]));
+        }
+    }
+    return largest;
+}
+
+/// The texel at column i and row j counted from the bottom, repeated.
+glm::dvec3 texel(const Image &image, double i, double j) {
+    const double width = image.size.width;
+    const double height = image.size.height;
+    const int x = static_cast<int>(i - std::floor(i / width) * width);
+    const int y = static_cast<int>(j - std::floor(j / height) * height);
+    return glm::dvec3(image.at(std::min(x, image.size.width - 1), image.size.height - 1 - std::min(y, image.size.height - 1)));
+}
+
+} // namespace
+
+glm::dmat3 normal_matrix(const glm::dmat3 &linear, Normals normals) {
+    const double largest = largest_entry(linear);
+    if (normals == Normals::untransformed || largest == 0) {
+        return glm::dmat3(1);
+    }
+    const glm::dmat3 a = linear / largest;
+    if (normals == Normals::model_matrix) {
+        return a;
+    }
+    const glm::dmat3 cofactor(glm::cross(a[1], a[2]), glm::cross(a[2], a[0]), glm::cross(a[0], a[1]));
+    return glm::dot(a[0], cofactor[0]) < 0 ? -cofactor : cofactor;
+}
+
+glm::dvec3 transform_normal(const glm::dmat3 &matrix, const glm::dvec3 &n) {
+    const glm::dvec3 transformed = unit(matrix * n);
+    return transformed == glm::dvec3(0) ? n : transformed;
+}
+
+Placement place(const Transform &transform, const Setup &setup) {
+    Placement placement;
+    placement.linear = linear_part(transform);
+    placement.offset = transform.translate - setup.eye;
+    placement.lit_offset = setup.technique.position == LightingPosition::w0 ? -setup.eye : placement.offset;
+    placement.normals = normal_matrix(placement.linear, setup.technique.normals);
+    return placement;
+}
+
+glm::dvec3 sample_texture(const Image &image, const glm::dvec2 &uv) {
+    const double x = uv.x * image.size.width - 0.5;
+    const double y = uv.y * image.size.height - 0.5;
+    const double i = std::floor(x);
+    const double j = std::floor(y);
+    const glm::dvec3 below = glm::mix(texel(image, i, j), texel(image, i + 1, j), x - i);
+    const glm::dvec3 above = glm::mix(texel(image, i, j + 1), texel(image, i + 1, j + 1), x - i);
+    return glm::mix(below, above, y - j);
+}
+
+glm::dvec3 checker_coordinates(const Checker &checker, double half_extent, const glm::dvec3 &p) {
+    const double scale = half_extent > 0 ? checker.cells / (2 * half_extent) : 0;
+    return p * scale + 0.5 * checker.cells;
+}
+
+glm::dvec3 checker_color(const Checker &checker, double half_extent, const glm::dvec3 &p) {
+    const glm::dvec3 cell = glm::clamp(glm::floor(checker_coordinates(checker, half_extent, p)), 0.0, checker.cells - 1.0);
+    const double sum = cell.x + cell.y + cell.z;
+    return checker.colors[std::fmod(sum, 2) == 0 ? 0 : 1];
+}
+
+glm::dvec3 BaseColor::at(const glm::dvec2 &uv, const glm::dvec3 &object_position) const {
+    if (texture != nullptr) {
+        return sample_texture(*texture, uv);
+    }
+    return checker != nullptr ? checker_color(*checker, half_extent, object_position) : glm::dvec3(1);
+}
+
+BaseColor base_color(const Object &object, const ObjectResources &resources) {
+    BaseColor base;
+    base.texture = resources.texture.get();
+    base.checker = object.material.checker ? &*object.material.checker : nullptr;
+    base.half_extent = base.checker != nullptr ? half_extent(*resources.mesh) : 1;
+    return base;
+}
+
+} // namespace sandbox::reference

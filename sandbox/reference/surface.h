@@ -1,0 +1,51 @@
+#pragma once
+
+#include "image/image.h"
+#include "reference/lighting.h"
+#include "scene/resources.h"
+#include "scene/scene.h"
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+/// What a surface brings to the equation: where it is, which way it faces and its own colour.
+namespace sandbox::reference {
+
+/// The matrix that `normals` names: sign(det A) cofactor(A) (sign(0) = +1), A itself, or 1. Scaled to avoid overflow.
+glm::dmat3 normal_matrix(const glm::dmat3 &linear, Normals normals);
+
+/// unit(matrix * n); n itself where that is 0 (a surface flattened to a line has no normal of its own).
+glm::dvec3 transform_normal(const glm::dmat3 &matrix, const glm::dvec3 &n);
+
+/// Object space to where the camera and the equation see it.
+struct Placement {
+    glm::dmat3 linear{1};
+    glm::dvec3 offset{0};     ///< seen at linear * p + offset, from the eye
+    glm::dvec3 lit_offset{0}; ///< lit at linear * p + lit_offset: the same, but for position=w0 (no translation)
+    glm::dmat3 normals{1};
+
+    [[nodiscard]] glm::dvec3 seen(const glm::dvec3 &p) const { return linear * p + offset; }
+    [[nodiscard]] glm::dvec3 lit(const glm::dvec3 &p) const { return linear * p + lit_offset; }
+};
+Placement place(const Transform &transform, const Setup &setup);
+
+/// Bilinear, repeat; texel centres at (i + 0.5) / size, v = 0 at the bottom row (rows are stored from the top).
+glm::dvec3 sample_texture(const Image &image, const glm::dvec2 &uv);
+
+/// A checker's cell coordinates at p: x * cells / (2 R) + cells / 2 in each axis. The centre plane is exact in any
+/// precision, and cells end at the bounding cube, so that a box's faces lie in the outermost cells.
+glm::dvec3 checker_coordinates(const Checker &checker, double half_extent, const glm::dvec3 &p);
+glm::dvec3 checker_color(const Checker &checker, double half_extent, const glm::dvec3 &p);
+
+/// `base`: the texture's or the checker's colour at a point, or 1.
+struct BaseColor {
+    const Image *texture = nullptr;
+    const Checker *checker = nullptr;
+    double half_extent = 1;
+
+    [[nodiscard]] glm::dvec3 at(const glm::dvec2 &uv, const glm::dvec3 &object_position) const;
+};
+BaseColor base_color(const Object &object, const ObjectResources &resources);
+
+} // namespace sandbox::reference
