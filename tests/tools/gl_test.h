@@ -1,0 +1,47 @@
+#pragma once
+
+#include "render/context.h"
+#include "scene/error.h"
+
+#include <cstdlib>
+#include <gtest/gtest.h>
+#include <memory>
+#include <string>
+
+namespace sandbox {
+
+/// Base of the tests that draw: one headless context for the whole process. Without OpenGL 3.3 they are skipped, saying
+/// why; with CI=true they fail, because nobody reads what a machine skipped.
+class GlTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (shared().context) {
+            return;
+        }
+        const char *ci = std::getenv("CI");
+        if (ci != nullptr && std::string(ci) == "true") {
+            FAIL() << shared().why_not;
+        }
+        GTEST_SKIP() << shared().why_not;
+    }
+    static const Context &context() { return *shared().context; }
+
+  private:
+    struct Shared {
+        std::unique_ptr<Context> context;
+        std::string why_not;
+        Shared() {
+            try {
+                context = Context::headless();
+            } catch (const MachineError &error) {
+                why_not = error.what();
+            }
+        }
+    };
+    static const Shared &shared() {
+        static const Shared shared;
+        return shared;
+    }
+};
+
+} // namespace sandbox
