@@ -26,7 +26,7 @@ void main()
 {
 #if fragment.N
 #if guard_normal
-    vec3 N = v_normal / max(length(v_normal), 1e-18); // interpolated normals may cancel
+    vec3 N = v_normal != vec3(0.0) ? normalize(v_normal) : v_normal; // interpolated normals may cancel
 #elif renormalize
     vec3 N = normalize(v_normal);
 #else

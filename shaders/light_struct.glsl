@@ -9,7 +9,7 @@ struct ${light.struct} {
     vec3 ambient; // material times light
 #endif
 #if light.attenuated_ambient
-    vec3 attenuated_ambient; // likewise, faded like the rest
+    vec3 attenuated_ambient; // material times light, fades
 #endif
 #if light.diffuse
     vec3 diffuse; // material times light

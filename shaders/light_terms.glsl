@@ -13,7 +13,7 @@
     float lit = n_dot_l > 0.0 ? 1.0 : 0.0; // Fault: ambient light needs no facing.
 #endif
 #endif
-#if light.adds_specular && stage.separate_specular
+#if light.adds_separate_specular
     specular += ${light.specular_sum};
 #endif
     return ${light.sum};

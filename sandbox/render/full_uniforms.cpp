@@ -38,7 +38,7 @@ void put_full_uniforms(Uploader &uploader, const DrawInput &input) {
     uploader.put("ambient", glm::vec3(constant_ambient_light(input.scene, technique, material)));
     uploader.put("model_kind", static_cast<int>(technique.model));
     uploader.put("gate", static_cast<int>(technique.gate));
-    uploader.put("normals_kind", static_cast<int>(technique.normals));
+    uploader.put("normal_transform", static_cast<int>(normal_transform(technique, input.object)));
     uploader.put("renormalize", technique.renormalize == Renormalize::on ? 1 : 0);
     uploader.put("viewer_infinite", technique.viewer == Viewer::infinite ? 1 : 0);
     uploader.put("half_vector_constant", technique.half_vector == HalfVector::constant ? 1 : 0);
@@ -48,7 +48,9 @@ void put_full_uniforms(Uploader &uploader, const DrawInput &input) {
     uploader.put("power_kind", static_cast<int>(technique.power));
     uploader.put("two_sided", input.object.two_sided ? 1 : 0);
     uploader.put("base_kind", base_kind(material));
-    uploader.put("base_times_specular", material.texture_modulates_specular ? 1 : 0);
+    const bool times_specular = base_kind(material) == 0 || material.texture_modulates_specular;
+    uploader.put("base_times_specular", times_specular ? 1 : 0);
+    uploader.put("specular_times_base", times_specular ? 1 : 0);
     if (!material.checker) {
         put_no_checker(uploader);
     }

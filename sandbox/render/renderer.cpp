@@ -90,7 +90,7 @@ struct Renderer::Impl {
     void draw_object(const DrawInput &input, const ObjectResources &own, const Target &target) {
         const Features features =
             derive_features(input.scene, input.technique, input.object, *own.mesh, target.has_object_ids());
-        require_drawable(features, input.object);
+        require_drawable(features, input.scene, input.technique, input.object);
         const GlProgram &program = programs.get(features);
         glUseProgram(program.id());
         upload_uniforms(program, input);

@@ -49,26 +49,6 @@ bool normals_may_cancel(const Mesh &mesh) {
     });
 }
 
-void derive_normal_transform(Features &f, const Technique &technique, const Object &object) {
-    const glm::dmat3 linear = linear_part(object.transform);
-    const bool uniform = is_uniform(linear);
-    const double scale = std::cbrt(std::abs(glm::determinant(linear)));
-    const bool identity = uniform && linear == glm::dmat3(linear[0][0]) && linear[0][0] > 0;
-    if (identity) {
-        f.normal_transform = NormalTransform::identity;
-        return;
-    }
-    if (technique.normals == Normals::untransformed) {
-        f.untransformed_normals = true;
-    } else if (uniform && std::abs(scale - 1) <= 1e-12) {
-        f.normal_transform = NormalTransform::rigid;
-    } else if (technique.normals == Normals::model_matrix && !uniform) {
-        f.model_matrix_normals = true;
-    } else {
-        f.normal_transform = NormalTransform::normal_matrix;
-    }
-}
-
 /// Could the light lie on the object? Its position against the mesh's bounds, in object space, with some room.
 bool may_touch(const Light &light, const Object &object, const Mesh &mesh) {
     const glm::dmat3 linear = linear_part(object.transform);
@@ -159,7 +139,7 @@ void derive_surface(Features &f, const Scene &scene, const Technique &technique,
     f.where_lit = technique.ambient == AmbientWhere::where_lit && lit_ambient;
     f.normals = f.diffuse() || f.specular() || f.where_lit;
     if (f.normals) {
-        derive_normal_transform(f, technique, object);
+        f.normal_transform = normal_transform(technique, object);
         f.two_sided = object.two_sided;
     }
     if (f.specular()) {
@@ -215,6 +195,22 @@ void simplify(Features &f, const Technique &technique) {
 }
 
 } // namespace
+
+NormalTransform normal_transform(const Technique &technique, const Object &object) {
+    const glm::dmat3 linear = linear_part(object.transform);
+    const bool uniform = is_uniform(linear);
+    if (uniform && linear == glm::dmat3(linear[0][0]) && linear[0][0] > 0) {
+        return NormalTransform::identity;
+    }
+    if (technique.normals == Normals::untransformed) {
+        return NormalTransform::untransformed;
+    }
+    if (uniform && std::abs(std::abs(glm::determinant(linear)) - 1) <= 1e-12) {
+        return NormalTransform::rigid;
+    }
+    const bool fault = technique.normals == Normals::model_matrix && !uniform;
+    return fault ? NormalTransform::model_matrix : NormalTransform::normal_matrix;
+}
 
 bool fades(const Light &light) {
     return (is_positional(light) && light.attenuation != Attenuation{}) || has_cone(light);

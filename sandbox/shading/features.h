@@ -36,7 +36,8 @@ struct LightFeatures {
 };
 
 enum class Base { none, texture, checker };
-enum class NormalTransform { identity, rigid, normal_matrix };
+/// How a vertex normal becomes a world one; `model_matrix` and the last are faults, where they show.
+enum class NormalTransform { identity, rigid, normal_matrix, model_matrix, untransformed };
 enum class Exponent { zero, one, textbook, stable };
 
 struct Features {
@@ -50,8 +51,6 @@ struct Features {
     bool base_times_specular = false;
     bool normals = false; ///< anything depends on N
     NormalTransform normal_transform = NormalTransform::identity;
-    bool untransformed_normals = false; ///< the fault, where it shows
-    bool model_matrix_normals = false;  ///< the fault, where it shows
     bool renormalize = false;
     bool guard_normal = false; ///< interpolated normals may cancel to 0
     Exponent exponent = Exponent::zero;
@@ -85,18 +84,20 @@ ContributingLights contributing_lights(const Scene &scene, const Technique &tech
 Features derive_features(const Scene &scene, const Technique &technique, const Object &object, const Mesh &mesh,
                          bool object_ids = false);
 
+NormalTransform normal_transform(const Technique &technique, const Object &object);
+
 /// Components of the varyings between the stages; more than 60 are refused.
 int varying_components(const Features &features);
 
 /// n as it is raised: blinn_exponent_scale * shininess under Blinn-Phong.
 double raised_exponent(const Scene &scene, Model model, const Material &material);
 
-/// Throws InputError if `technique` cannot draw `scene` (too many varyings), naming the object.
-void require_drawable(const Features &features, const Object &object);
+/// Throws InputError if the object needs more varyings than there are, naming it. `features` are what derive_features gave.
+void require_drawable(const Features &features, const Scene &scene, const Technique &technique, const Object &object);
 
 constexpr double stable_power_from = 1024; ///< power=auto: the stable form from this n on
 constexpr int max_varying_components = 60; ///< OpenGL 3.3 guarantees 60 (64 less gl_Position)
 constexpr int full_program_max_lights = 64;
-constexpr int full_program_max_vector_lights = 7; ///< 7 varyings a light under interpolated-vectors
+constexpr int full_program_max_vector_lights = 7; ///< interpolated-vectors: 7 components a light, and 11 besides
 
 } // namespace sandbox

@@ -136,12 +136,21 @@ int varying_components(const Features &f) {
     return 3 * vectors + scalars;
 }
 
-void require_drawable(const Features &features, const Object &object) {
+void require_drawable(const Features &features, const Scene &scene, const Technique &technique, const Object &object) {
     const int needed = varying_components(features);
     if (needed > max_varying_components) {
         throw InputError("object '" + object.name + "': this technique needs " + std::to_string(needed) +
                          " components between the shader stages for its lights; OpenGL 3.3 guarantees " +
                          std::to_string(max_varying_components) + ": use fewer lights or another frequency");
+    }
+    if (features.program == Program::full && features.frequency == Frequency::interpolated_vectors) {
+        const ContributingLights lights = contributing_lights(scene, technique, object);
+        const std::size_t count = lights.directional.size() + lights.point.size() + lights.spot.size();
+        if (count > full_program_max_vector_lights) {
+            throw InputError("object '" + object.name + "': interpolated-vectors with program=full carries at most " +
+                             std::to_string(full_program_max_vector_lights) + " lights, this scene has " +
+                             std::to_string(count) + ": use program=specialised or another frequency");
+        }
     }
 }
 

@@ -58,7 +58,7 @@ std::string highlight(const Features &f, const LightPart &light) {
 }
 
 /// What a light function is handed besides the light: parameter and argument, in step.
-std::pair<std::string, std::string> light_parameters(const LightPart &light) {
+std::pair<std::string, std::string> light_parameters(const LightPart &light, const StageNeeds &stage) {
     const LightNeeds &n = light.here;
     const std::string index = light.features.count > 1 ? "[i]" : "[0]";
     const std::string varying = "v_" + light.kind + "_";
@@ -77,6 +77,7 @@ std::pair<std::string, std::string> light_parameters(const LightPart &light) {
     add(n.given_R, "vec3 mirrored", varying + "R" + index);
     add(n.given_distance, "float d", varying + "distance" + index);
     add(n.given_attenuation, "float a", varying + "attenuation" + index);
+    add(stage.separate_specular && n.adds_specular, "inout vec3 specular", "specular");
     return {parameters, arguments};
 }
 
@@ -112,7 +113,7 @@ void add_sums(TemplateValues &values, const Features &f, const StageNeeds &stage
         sum.push_back(times.empty() ? join(faded, " + ") : times + in_brackets(faded));
     }
     values.texts[light.kind + ".sum"] = join(sum, " + ", "vec3(0.0)");
-    values.texts[light.kind + ".specular_sum"] = times + specular;
+    values.texts[light.kind + ".specular_sum"] = times.empty() ? specular : times + "(" + specular + ")";
 }
 
 void add_light(TemplateValues &values, const Features &f, const StageNeeds &stage, const LightPart &light, bool vertex) {
@@ -124,7 +125,7 @@ void add_light(TemplateValues &values, const Features &f, const StageNeeds &stag
         handed.given_L || handed.given_H || handed.given_R || handed.given_distance || handed.given_attenuation;
     const std::string k = light.kind + ".";
     const std::string uniform = has.count > 1 ? light.kind + "_lights[i]" : "the_" + light.kind + "_light";
-    const auto [parameters, arguments] = light_parameters(light);
+    const auto [parameters, arguments] = light_parameters(light, stage);
     for (const auto &[name, on] : std::initializer_list<std::pair<const char *, bool>>{
              {"declared", n.any || (vertex && varying_any)},
              {"many", has.count > 1},
@@ -149,6 +150,7 @@ void add_light(TemplateValues &values, const Features &f, const StageNeeds &stag
              {"adds_ambient", n.adds_ambient},
              {"adds_attenuated_ambient", n.adds_attenuated_ambient},
              {"adds_specular", n.adds_specular},
+             {"adds_separate_specular", n.adds_specular && stage.separate_specular},
              {"uses_n_dot_l", n.uses_n_dot_l},
              {"uses_L", n.uses_L},
              {"finds_L", n.finds_L},
@@ -177,6 +179,7 @@ void add_light(TemplateValues &values, const Features &f, const StageNeeds &stag
     values.texts[k + "arguments"] = arguments;
     values.texts[k + "denominator"] = attenuation_denominator(has, "light");
     values.texts[k + "safe_denominator"] = has.floor ? "max(" + denominator + ", 1e-6)" : "(" + denominator + ")";
+    values.texts[k + "distance"] = n.finds_distance ? "d" : "length(to_light)";
     values.texts[k + "highlight"] = highlight(f, light);
     add_sums(values, f, stage, light);
 }
@@ -259,10 +262,10 @@ TemplateValues specialised_values(const Features &f, Stage which) {
              {"checker", f.base == Base::checker},
              {"emission", f.emission},
              {"object_ids", f.object_ids},
-             {"rigid", f.normal_transform == NormalTransform::rigid && !f.untransformed_normals && !f.model_matrix_normals},
+             {"rigid", f.normal_transform == NormalTransform::rigid},
              {"normal_matrix", f.normal_transform == NormalTransform::normal_matrix},
-             {"model_matrix_normals", f.model_matrix_normals},
-             {"untransformed_normals", f.untransformed_normals},
+             {"model_matrix_normals", f.normal_transform == NormalTransform::model_matrix},
+             {"untransformed_normals", f.normal_transform == NormalTransform::untransformed},
              {"renormalize", f.renormalize},
              {"guard_normal", f.guard_normal},
              {"w0", f.position == LightingPosition::w0},
