@@ -1,0 +1,27 @@
+#pragma once
+
+#include "commands/common.h"
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace sandbox {
+
+/// What the command line chose; returns the exit code. Empty until a command was parsed.
+using Run = std::function<int()>;
+
+/// Adds one subcommand: its options, its help, and, when it is chosen, what to run.
+using AddCommand = void(CLI::App &app, CommonOptions &common, Run &run);
+
+AddCommand add_list, add_capture, add_reference, add_compare, add_time, add_glsl, add_view;
+/// A new command is a file of its own, and its name here and above.
+inline constexpr AddCommand *all_commands[]{add_list, add_capture, add_reference, add_compare,
+                                            add_time, add_glsl,    add_view};
+
+/// The arguments of every command: --set, --shaders, --assets, --backend, -v.
+void add_common_options(CLI::App &app, CommonOptions &common);
+
+/// Opens the window on `scene` (empty: a built-in one); returns the exit code.
+int view_scene(const CommonOptions &common, const std::string &scene);
+
+} // namespace sandbox

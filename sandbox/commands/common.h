@@ -1,0 +1,65 @@
+#pragma once
+
+#include "capture/picture.h"
+#include "image/image.h"
+#include "render/context.h"
+#include "scene/assets.h"
+#include "scene/error.h"
+#include "scene/scene.h"
+
+#include <filesystem>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// What the commands share. User errors throw InputError naming the flag.
+namespace sandbox {
+
+struct CommonOptions {
+    std::vector<std::string> settings; ///< --set PATH=VALUE, in order
+    std::filesystem::path shaders;     ///< --shaders DIR; empty: the copies inside the executable
+    std::filesystem::path assets;      ///< --assets DIR
+    Backend backend = Backend::egl;
+    bool verbose = false;
+};
+
+Assets scene_assets(const CommonOptions &common);
+Assets shader_assets(const CommonOptions &common);
+
+/// SCENE with every --set applied, then the named view's camera (empty: the scene's own).
+Scene open_scene(const CommonOptions &common, const std::string &scene, const std::string &view = {});
+
+/// What the sidecar SCENE asks for; nothing if SCENE is not one.
+std::optional<PictureOptions> sidecar_of(const std::string &scene);
+
+/// WIDTHxHEIGHT: 1 to 16384 each and at most 64 Mpixel.
+Size parse_size(std::string_view text);
+void check_size(Size size);
+
+/// Runs `work`; what it says is wrong is said with the flag's name.
+template <typename Work> auto with_flag(std::string_view flag, Work work) {
+    try {
+        return work();
+    } catch (const InputError &error) {
+        throw InputError(std::string(flag) + ": " + error.what());
+    }
+}
+
+/// Throws InputError "flag: expected a number > 0, got ..." for what is not a finite positive number.
+void check_positive(std::string_view flag, double value);
+
+/// The ending of an output file, in lower case: ".png". Throws InputError naming --out unless it is among `allowed` and
+/// the folder exists: before the work, not after it.
+std::string check_output(const std::filesystem::path &out, std::initializer_list<std::string_view> allowed);
+
+/// Results: the whole text to standard output, flushed. Throws InputError if it cannot be written (a full disk).
+void print(std::string_view text);
+/// A line on standard error: "shading-sandbox: text".
+void note(std::string_view text);
+
+constexpr std::string_view default_technique = "per-pixel/blinn-phong";
+constexpr std::string_view default_size = "1280x720";
+
+} // namespace sandbox

@@ -1,0 +1,39 @@
+#include "commands/progress_bar.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <unistd.h>
+
+namespace sandbox {
+namespace {
+
+using namespace std::chrono_literals;
+constexpr int bar_cells = 40;
+
+} // namespace
+
+ProgressBar::ProgressBar(std::string what)
+    : what_(std::move(what)), terminal_(isatty(STDERR_FILENO) != 0), next_(Clock::now() + 1s) {}
+
+ProgressBar::~ProgressBar() {
+    if (terminal_ && shown_) {
+        std::fputs("\r\x1b[K", stderr); // the bar leaves nothing behind
+    }
+}
+
+void ProgressBar::report(double share) {
+    if (Clock::now() < next_) {
+        return;
+    }
+    const int percent = static_cast<int>(100 * std::clamp(share, 0.0, 1.0));
+    if (terminal_) {
+        const std::string bar(static_cast<std::size_t>(bar_cells * percent / 100), '#');
+        std::fprintf(stderr, "\r%s [%-*s] %3d %%", what_.c_str(), bar_cells, bar.c_str(), percent);
+    } else {
+        std::fprintf(stderr, "%s: %d %%\n", what_.c_str(), percent);
+    }
+    shown_ = true;
+    next_ = Clock::now() + (terminal_ ? 100ms : 2000ms);
+}
+
+} // namespace sandbox
