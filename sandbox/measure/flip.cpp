@@ -31,7 +31,9 @@ struct Plane {
     [[nodiscard]] const float *row(int y) const {
         return values.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
     }
-    [[nodiscard]] float *row(int y) { return values.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width); }
+    [[nodiscard]] float *row(int y) {
+        return values.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
+    }
 };
 
 void for_rows(int height, const std::function<void(int)> &work) {

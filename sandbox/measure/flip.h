@@ -16,7 +16,6 @@ std::vector<float> flip_map(const ByteImage &reference, const ByteImage &test,
                             double pixels_per_degree = flip_pixels_per_degree);
 
 /// The mean of flip_map; 0 for empty pictures.
-double mean_flip(const ByteImage &reference, const ByteImage &test,
-                 double pixels_per_degree = flip_pixels_per_degree);
+double mean_flip(const ByteImage &reference, const ByteImage &test, double pixels_per_degree = flip_pixels_per_degree);
 
 } // namespace sandbox

@@ -124,7 +124,8 @@ Norms norms_of(const Reading &left, const Reading &right, const std::vector<std:
 }
 
 /// max_levels, differing_share and flip: what 8 bits and the eye see.
-void compare_displayed(const Reading &left, const Reading &right, const std::vector<std::size_t> &compared, Metrics &metrics) {
+void compare_displayed(const Reading &left, const Reading &right, const std::vector<std::size_t> &compared,
+                       Metrics &metrics) {
     const ByteImage a = left.display();
     const ByteImage b = right.display();
     std::size_t differing = 0;

@@ -21,7 +21,7 @@ struct Norms {
 /// The figures of `compare`. Compared are the pixels where both pictures show the same object, except those at an edge
 /// or at a jump of the reference; the rest is counted apart. Background is never compared.
 struct Metrics {
-    std::size_t nonfinite_pixels = 0;  ///< in either picture, background included; anything above 0 is a failure
+    std::size_t nonfinite_pixels = 0; ///< in either picture, background included; anything above 0 is a failure
     std::size_t compared_pixels = 0;
     std::size_t silhouette_pixels = 0; ///< the two show different objects
     std::size_t edge_pixels = 0;       ///< same object, at an edge (ReferenceFrame::edge)

@@ -177,7 +177,8 @@ std::optional<ShapeHit> hit_shape(const TorusShape &torus, const Ray &ray) {
         // A spindle torus has an inner skin on the far side of the axis.
         const glm::dvec3 tube = p - torus.radius * out;
         const glm::dvec3 across = p + torus.radius * out;
-        const bool inner = std::abs(glm::length(across) - torus.tube_radius) < std::abs(glm::length(tube) - torus.tube_radius);
+        const bool inner =
+            std::abs(glm::length(across) - torus.tube_radius) < std::abs(glm::length(tube) - torus.tube_radius);
         const glm::dvec3 rim_direction = inner ? -out : out;
         const glm::dvec3 n = unit(inner ? across : tube);
         first.take(s, torus.radius * rim_direction + torus.tube_radius * n, n,

@@ -96,13 +96,15 @@ class Branches {
         const double reach = terms.vectors.a * terms.s_uncut;
         const glm::dvec3 ambient =
             material_.ambient * light.color * (light.ambient * (light.attenuate_ambient ? reach : 1));
-        const glm::dvec3 diffuse = material_.diffuse * light.color * (light.diffuse * std::max(terms.n_dot_l, 0.0) * reach);
+        const glm::dvec3 diffuse =
+            material_.diffuse * light.color * (light.diffuse * std::max(terms.n_dot_l, 0.0) * reach);
         const glm::dvec3 highlight = material_.specular * light.color * (light.specular * terms.f_power * reach);
         Amounts amount;
         amount.highlight = largest(highlight);
         amount.ambient = largest(ambient);
-        amount.cone = (terms_ == Terms::highlight ? 0 : largest(diffuse) + (light.attenuate_ambient ? amount.ambient : 0)) +
-                      (terms_ == Terms::body ? 0 : amount.highlight);
+        amount.cone =
+            (terms_ == Terms::highlight ? 0 : largest(diffuse) + (light.attenuate_ambient ? amount.ambient : 0)) +
+            (terms_ == Terms::body ? 0 : amount.highlight);
         return amount;
     }
 
@@ -122,7 +124,8 @@ class Branches {
         }
         const LightTerms terms = terms_of(i);
         const Light &light = setup_.lights[i].light;
-        return terms.gate && largest(material_.specular * light.color) * light.specular * terms.vectors.a * terms.s > negligible;
+        return terms.gate &&
+               largest(material_.specular * light.color) * light.specular * terms.vectors.a * terms.s > negligible;
     }
 
     bool turning_matters() const {
@@ -135,7 +138,8 @@ class Branches {
 
     bool light_sum_matters() const {
         for (std::size_t i = 0; i < setup_.lights.size(); ++i) {
-            if (terms_ != Terms::body && setup_.technique.model != Model::lambert && amounts(i).highlight > negligible) {
+            if (terms_ != Terms::body && setup_.technique.model != Model::lambert &&
+                amounts(i).highlight > negligible) {
                 return true;
             }
         }
@@ -165,13 +169,14 @@ LightVectors Point::vectors(const Place &place, std::size_t light) const {
     return light_vectors(setup_, setup_.lights[light], place.position, place.normal, place.view);
 }
 
-Reflected reflect(const Setup &setup, const Material &material, Terms terms, const Place &place, const Sampler &sampler) {
+Reflected reflect(const Setup &setup, const Material &material, Terms terms, const Place &place,
+                  const Sampler &sampler) {
     glm::dvec3 ambient = setup.ambient;
     glm::dvec3 diffuse(0);
     glm::dvec3 specular(0);
     for (std::size_t i = 0; i < setup.lights.size(); ++i) {
-        const LightTerms light = light_terms(setup, setup.lights[i], sampler.vectors(place, i), place.normal, place.view,
-                                             material.shininess);
+        const LightTerms light = light_terms(setup, setup.lights[i], sampler.vectors(place, i), place.normal,
+                                             place.view, material.shininess);
         ambient += light.ambient;
         diffuse += light.diffuse;
         specular += light.specular;

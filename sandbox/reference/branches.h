@@ -41,11 +41,12 @@ class Point : public Sampler {
 };
 
 /// The sum over all lights.
-Reflected reflect(const Setup &setup, const Material &material, Terms terms, const Place &place, const Sampler &sampler);
+Reflected reflect(const Setup &setup, const Material &material, Terms terms, const Place &place,
+                  const Sampler &sampler);
 
-/// Could the colour at `here` jump? Yes if a branch that matters (by more than 1e-6 of linear colour) is taken where the
-/// quantity that it tests is zero to within its own change over edge_width of a pixel plus its float32 rounding: 8 units
-/// in the last place of 1, and of the positions it is a difference of (as shares of the distance).
+/// Could the colour at `here` jump? Yes if a branch that matters (by more than 1e-6 of linear colour) is taken where
+/// the quantity that it tests is zero to within its own change over edge_width of a pixel plus its float32 rounding: 8
+/// units in the last place of 1, and of the positions it is a difference of (as shares of the distance).
 bool may_jump(const Setup &setup, const Material &material, bool two_sided, Terms terms, const Place &here,
               const Sampler &sampler);
 

@@ -6,8 +6,8 @@
 /// One pixel of a mesh: what the technique's frequency makes of the triangle it sees.
 namespace sandbox::reference {
 
-/// The triangle around a pixel's centre (x, y), in pixels from the top-left corner. Interpolates positions, normals and,
-/// where the technique asks for it, the lights' vectors; all perspective-correct.
+/// The triangle around a pixel's centre (x, y), in pixels from the top-left corner. Interpolates positions, normals
+/// and, where the technique asks for it, the lights' vectors; all perspective-correct.
 class Fragment : public Sampler {
   public:
     Fragment(const MeshScene &meshes, const Hit &hit, double x, double y);

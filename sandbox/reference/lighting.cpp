@@ -62,7 +62,8 @@ bool gate_open(Gate gate, double n_dot_l, const glm::dvec3 &n, const glm::dvec3 
     return true;
 }
 
-void specular_factor(const Setup &setup, const glm::dvec3 &n, const glm::dvec3 &v, double shininess, LightTerms &terms) {
+void specular_factor(const Setup &setup, const glm::dvec3 &n, const glm::dvec3 &v, double shininess,
+                     LightTerms &terms) {
     const bool blinn = setup.technique.model == Model::blinn_phong;
     const glm::dvec3 &a = blinn ? n : terms.vectors.r;
     const glm::dvec3 &b = blinn ? terms.vectors.h : v;

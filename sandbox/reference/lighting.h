@@ -20,8 +20,9 @@ namespace sandbox::reference {
 /// v / |v| without overflow or underflow on the way; 0 for 0.
 glm::dvec3 unit(const glm::dvec3 &v);
 
-/// max(a.b, 0)^n, with x^0 = 1 also for x = 0. Worked out from |a - b|^2 where the cosine is near 1, so that the relative
-/// error stays near 1e-15 + n * 1e-16 * angle. The vectors need not be unit: their lengths count as in the dot product.
+/// max(a.b, 0)^n, with x^0 = 1 also for x = 0. Worked out from |a - b|^2 where the cosine is near 1, so that the
+/// relative error stays near 1e-15 + n * 1e-16 * angle. The vectors need not be unit: their lengths count as in the dot
+/// product.
 double power_of_dot(const glm::dvec3 &a, const glm::dvec3 &b, double n);
 
 /// 1 / max(kc + kl d + kq d^2, 1e-6), d in world units.
@@ -68,13 +69,13 @@ LightVectors light_vectors(const Setup &setup, const LightSetup &light, const gl
 struct LightTerms {
     LightVectors vectors;
     double n_dot_l = 0;
-    double c = 1;         ///< spot: dot(-L, unit(D))
-    double s = 1;         ///< spot factor
-    double s_uncut = 1;   ///< the spot factor as if the cone did not end: max(c, 0)^exponent
-    double f = 0;         ///< max(R.V, 0) or max(N.H, 0)
-    double exponent = 0;  ///< n as it is raised (n_B for Blinn-Phong)
-    double f_power = 0;   ///< f^n
-    bool gate = false;    ///< does the specular term pass?
+    double c = 1;        ///< spot: dot(-L, unit(D))
+    double s = 1;        ///< spot factor
+    double s_uncut = 1;  ///< the spot factor as if the cone did not end: max(c, 0)^exponent
+    double f = 0;        ///< max(R.V, 0) or max(N.H, 0)
+    double exponent = 0; ///< n as it is raised (n_B for Blinn-Phong)
+    double f_power = 0;  ///< f^n
+    bool gate = false;   ///< does the specular term pass?
     glm::dvec3 ambient{0};
     glm::dvec3 diffuse{0};
     glm::dvec3 specular{0};

@@ -49,14 +49,15 @@ struct Eye {
 };
 
 std::optional<ShapeHit> hit_object(const AnalyticObject &object, const Eye &eye, const glm::dvec3 &direction) {
-    return intersect(object.object->mesh, object.inverse * -object.placement.offset, object.inverse * direction, eye.near,
-                     eye.far);
+    return intersect(object.object->mesh, object.inverse * -object.placement.offset, object.inverse * direction,
+                     eye.near, eye.far);
 }
 
 /// One shape around a pixel's centre.
 class ShapeSampler : public Sampler {
   public:
-    ShapeSampler(const Setup &setup, const AnalyticObject &object, const Eye &eye, const ShapeHit &hit, double x, double y)
+    ShapeSampler(const Setup &setup, const AnalyticObject &object, const Eye &eye, const ShapeHit &hit, double x,
+                 double y)
         : setup_(setup), object_(object), eye_(eye), hit_(hit), x_(x), y_(y) {}
 
     [[nodiscard]] ShapeHit hit_at(double dx, double dy) const {
@@ -137,7 +138,8 @@ AnalyticObject prepare_object(const Setup &setup, const Object &object, const Ob
 
 class AnalyticPicture : public Picture {
   public:
-    AnalyticPicture(const Scene &scene, const std::vector<ObjectResources> &resources, const Technique &technique, Size size)
+    AnalyticPicture(const Scene &scene, const std::vector<ObjectResources> &resources, const Technique &technique,
+                    Size size)
         : size_(size), setup_(prepare(scene, technique)), eye_(scene.camera, size) {
         for (std::size_t i = 0; i < scene.objects.size(); ++i) {
             objects_.push_back(prepare_object(setup_, scene.objects[i], resources[i]));
@@ -195,7 +197,8 @@ class AnalyticPicture : public Picture {
 
     /// Another object or another face within edge_width: an outline or a crease.
     [[nodiscard]] bool at_edge(const Seen &seen, double x, double y) const {
-        constexpr std::array<glm::dvec2, 4> around{glm::dvec2{edge_width, 0}, {-edge_width, 0}, {0, edge_width}, {0, -edge_width}};
+        constexpr std::array<glm::dvec2, 4> around{
+            glm::dvec2{edge_width, 0}, {-edge_width, 0}, {0, edge_width}, {0, -edge_width}};
         return std::ranges::any_of(around, [&](const glm::dvec2 &step) {
             const Seen other = see(x + step.x, y + step.y);
             return other.object != seen.object || other.hit.part != seen.hit.part;
@@ -207,7 +210,8 @@ class AnalyticPicture : public Picture {
         int first, end, width;
         std::vector<Seen> seen;
         [[nodiscard]] const Seen &at(int x, int y) const {
-            return seen[static_cast<std::size_t>(y - first) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)];
+            return seen[static_cast<std::size_t>(y - first) * static_cast<std::size_t>(width) +
+                        static_cast<std::size_t>(x)];
         }
         /// Only where a neighbour sees something else can an outline or a crease pass within a pixel.
         [[nodiscard]] bool varied_around(int x, int y) const {
@@ -235,7 +239,8 @@ class AnalyticPicture : public Picture {
     }
 
     void shade(const Rows &rows, int x, int y, ReferenceFrame &frame) const {
-        const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width) + static_cast<std::size_t>(x);
+        const auto pixel =
+            static_cast<std::size_t>(y) * static_cast<std::size_t>(size_.width) + static_cast<std::size_t>(x);
         const Seen &seen = rows.at(x, y);
         frame.edge[pixel] = rows.varied_around(x, y) && at_edge(seen, x + 0.5, y + 0.5) ? 1 : 0;
         if (seen.object == 0) {

@@ -7,7 +7,8 @@ namespace {
 
 class MeshPicture : public Picture {
   public:
-    MeshPicture(const Scene &scene, const std::vector<ObjectResources> &resources, const Technique &technique, Size size)
+    MeshPicture(const Scene &scene, const std::vector<ObjectResources> &resources, const Technique &technique,
+                Size size)
         : size_(size), meshes_(prepare_meshes(scene, resources, technique, size)),
           rasteriser_(meshes_.raster, size, scene.camera.near_plane, scene.camera.far_plane) {}
 
@@ -27,9 +28,9 @@ class MeshPicture : public Picture {
     [[nodiscard]] std::optional<PixelProbe> probe(int x, int y) const override {
         const std::size_t band = rasteriser_.band_of(y);
         const std::vector<Hit> hits = rasteriser_.draw(band);
-        const Hit &hit = hits[static_cast<std::size_t>(y - rasteriser_.first_row(band)) *
-                                  static_cast<std::size_t>(size_.width) +
-                              static_cast<std::size_t>(x)];
+        const Hit &hit =
+            hits[static_cast<std::size_t>(y - rasteriser_.first_row(band)) * static_cast<std::size_t>(size_.width) +
+                 static_cast<std::size_t>(x)];
         if (hit.object == 0) {
             return {};
         }

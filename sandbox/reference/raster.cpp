@@ -34,7 +34,7 @@ struct Edges {
     std::array<Corner, 3> corners;
     double sign = 0; ///< 0: the triangle is seen edge-on
     std::array<bool, 3> owns_{};
-    std::array<double, 3> reach{}; ///< the edge function's growth over edge_width
+    std::array<double, 3> reach{};  ///< the edge function's growth over edge_width
     double lowest = 0, highest = 0; ///< 1 / w over the corners, where all lie in front
 
     Edges(const Corner &a, const Corner &b, const Corner &c) : corners{a, b, c} {
@@ -148,9 +148,7 @@ bool Rasteriser::bounds(const Corner &a, const Corner &b, const Corner &c, Box &
     return box.left <= box.right && box.top <= box.bottom;
 }
 
-bool Rasteriser::beside_wins(const Hit &hit) const {
-    return hit.beside > hit.inverse_w - depth_resolution / near_;
-}
+bool Rasteriser::beside_wins(const Hit &hit) const { return hit.beside > hit.inverse_w - depth_resolution / near_; }
 
 std::vector<Hit> Rasteriser::draw(std::size_t band) const {
     const int first = first_row(band);
@@ -173,8 +171,8 @@ void Rasteriser::draw_triangle(const Entry &entry, int first_row, int end_row, s
     const double resolution = depth_resolution / near_;
     const int left = static_cast<int>(box.left);
     const int right = static_cast<int>(box.right);
-    for (int row = std::max(first_row, static_cast<int>(box.top)); row < std::min(end_row, static_cast<int>(box.bottom) + 1);
-         ++row) {
+    for (int row = std::max(first_row, static_cast<int>(box.top));
+         row < std::min(end_row, static_cast<int>(box.bottom) + 1); ++row) {
         for (int column = left; column <= right; ++column) {
             const double x = column + 0.5;
             const double y = row + 0.5;
@@ -188,8 +186,7 @@ void Rasteriser::draw_triangle(const Entry &entry, int first_row, int end_row, s
             const bool inside = (e[0] > 0 || (e[0] == 0 && edges.owns_[0])) &&
                                 (e[1] > 0 || (e[1] == 0 && edges.owns_[1])) &&
                                 (e[2] > 0 || (e[2] == 0 && edges.owns_[2]));
-            const double inverse_w =
-                (e[0] + e[1] + e[2]) / (e[0] * p[0].z + e[1] * p[1].z + e[2] * p[2].z);
+            const double inverse_w = (e[0] + e[1] + e[2]) / (e[0] * p[0].z + e[1] * p[1].z + e[2] * p[2].z);
             Hit &hit = hits[static_cast<std::size_t>(row - first_row) * static_cast<std::size_t>(size_.width) +
                             static_cast<std::size_t>(column)];
             if (!inside) {

@@ -29,8 +29,8 @@ PixelProbe probe_place(const Setup &setup, const Material &material, const Place
     probe.view = place.view;
     for (std::size_t i = 0; i < setup.lights.size(); ++i) {
         const LightVectors vectors = sampler.vectors(place, i);
-        probe.lights.push_back({setup.light_index[i], light_terms(setup, setup.lights[i], vectors, place.normal, place.view,
-                                                                  material.shininess)});
+        probe.lights.push_back({setup.light_index[i], light_terms(setup, setup.lights[i], vectors, place.normal,
+                                                                  place.view, material.shininess)});
     }
     return probe;
 }
@@ -48,7 +48,8 @@ ReferenceFrame render_reference(const Scene &scene, const std::vector<ObjectReso
     frame.object_ids.assign(pixels, 0);
     frame.edge.assign(pixels, 0);
     frame.jump.assign(pixels, 0);
-    parallel_for(picture->bands(), [&](std::size_t band) { picture->draw(band, frame); }, progress);
+    parallel_for(
+        picture->bands(), [&](std::size_t band) { picture->draw(band, frame); }, progress);
     frame.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return frame;
 }

@@ -22,8 +22,8 @@ struct ReferenceFrame {
     Size size;
     std::vector<glm::dvec3> color;         ///< linear RGB, row 0 at the top
     std::vector<std::uint32_t> object_ids; ///< 0 background, i + 1 objects[i]
-    /// 1 where a pixel's centre lies within 1/128 pixel of an edge between triangles, or another surface lies within the
-    /// depth buffer's resolution: OpenGL may see the neighbour.
+    /// 1 where a pixel's centre lies within 1/128 pixel of an edge between triangles, or another surface lies within
+    /// the depth buffer's resolution: OpenGL may see the neighbour.
     std::vector<std::uint8_t> edge;
     /// 1 where the equation jumps (gate, hard cone, checker cell, N turned to the viewer) within 1/128 pixel or within
     /// float32 rounding of what decides it.
@@ -32,8 +32,8 @@ struct ReferenceFrame {
 };
 
 /// One sample at each pixel's centre. technique.power and technique.program change nothing here. The same inputs give
-/// the same bits on any number of cores. Throws InputError for Surface::analytic with an OBJ, with an object flattened by
-/// a scale of 0, or with a technique that needs vertices; Cancelled if progress says stop.
+/// the same bits on any number of cores. Throws InputError for Surface::analytic with an OBJ, with an object flattened
+/// by a scale of 0, or with a technique that needs vertices; Cancelled if progress says stop.
 ReferenceFrame render_reference(const Scene &scene, const std::vector<ObjectResources> &resources,
                                 const Technique &technique, Size size, Surface surface = Surface::mesh,
                                 const Progress &progress = {});

@@ -27,7 +27,8 @@ glm::dvec3 texel(const Image &image, double i, double j) {
     const double height = image.size.height;
     const int x = static_cast<int>(i - std::floor(i / width) * width);
     const int y = static_cast<int>(j - std::floor(j / height) * height);
-    return glm::dvec3(image.at(std::min(x, image.size.width - 1), image.size.height - 1 - std::min(y, image.size.height - 1)));
+    return glm::dvec3(
+        image.at(std::min(x, image.size.width - 1), image.size.height - 1 - std::min(y, image.size.height - 1)));
 }
 
 } // namespace
@@ -75,7 +76,8 @@ glm::dvec3 checker_coordinates(const Checker &checker, double half_extent, const
 }
 
 glm::dvec3 checker_color(const Checker &checker, double half_extent, const glm::dvec3 &p) {
-    const glm::dvec3 cell = glm::clamp(glm::floor(checker_coordinates(checker, half_extent, p)), 0.0, checker.cells - 1.0);
+    const glm::dvec3 cell =
+        glm::clamp(glm::floor(checker_coordinates(checker, half_extent, p)), 0.0, checker.cells - 1.0);
     const double sum = cell.x + cell.y + cell.z;
     return checker.colors[std::fmod(sum, 2) == 0 ? 0 : 1];
 }

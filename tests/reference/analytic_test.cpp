@@ -50,10 +50,13 @@ TEST(Analytic, HitsLieOnTheSurfaceWithItsNormal) {
     const Case cases[] = {
         {SphereShape{1.5, 8, 16}, [](const glm::dvec3 &p) { return glm::length(p) - 1.5; }},
         {BoxShape{{1, 2, 3}, 1},
-         [](const glm::dvec3 &p) { return std::max({std::abs(p.x) - 0.5, std::abs(p.y) - 1, std::abs(p.z) - 1.5}); }},
+         [](const glm::dvec3 &p) {
+             return std::max({std::abs(p.x) - 0.5, std::abs(p.y) - 1, std::abs(p.z) - 1.5});
+         }},
         {CylinderShape{0.5, 2, 16, 1, true},
          [](const glm::dvec3 &p) { return std::max(std::hypot(p.x, p.z) - 0.5, std::abs(p.y) - 1); }},
-        {TorusShape{1, 0.4, 16, 8}, [](const glm::dvec3 &p) { return std::hypot(std::hypot(p.x, p.z) - 1, p.y) - 0.4; }},
+        {TorusShape{1, 0.4, 16, 8},
+         [](const glm::dvec3 &p) { return std::hypot(std::hypot(p.x, p.z) - 1, p.y) - 0.4; }},
     };
     std::mt19937 random(3);
     std::normal_distribution<double> normal;

@@ -66,7 +66,7 @@ TEST(Raster, FansOfEitherWindingCoverEachPixelOnce) {
         for (std::size_t i = 0; i < 4; ++i) {
             const Corner &a = rim[i];
             const Corner &b = rim[(i + 1) % 4];
-            (round + i) % 2 == 0 ? fan.add(centre, a, b) : fan.add(b, a, centre);
+            (static_cast<std::size_t>(round) + i) % 2 == 0 ? fan.add(centre, a, b) : fan.add(b, a, centre);
         }
         const std::vector<int> counts = fan.coverage({32, 32});
         EXPECT_EQ(std::accumulate(counts.begin(), counts.end(), 0), 32 * 32);

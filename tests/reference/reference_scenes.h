@@ -50,7 +50,8 @@ inline Scene ball(glm::dvec3 light, int rings = 32) {
     return scene;
 }
 
-inline ReferenceFrame render(const Scene &scene, const Technique &technique, Size size, Surface surface = Surface::mesh) {
+inline ReferenceFrame render(const Scene &scene, const Technique &technique, Size size,
+                             Surface surface = Surface::mesh) {
     return render_reference(scene, resources_of(scene), technique, size, surface);
 }
 

@@ -71,8 +71,8 @@ TEST(Reference, PlaneUnderAPointLight) {
     }
 }
 
-/// L2 error of a ball's mesh against the shape, in the middle of its disc: at the outline the mesh ends too soon, and at
-/// the terminator the light has a kink; both converge more slowly.
+/// L2 error of a ball's mesh against the shape, in the middle of its disc: at the outline the mesh ends too soon, and
+/// at the terminator the light has a kink; both converge more slowly.
 std::vector<double> errors_of_tessellations(const Technique &technique, const glm::dvec3 &light) {
     const Size size{200, 200};
     const ReferenceFrame exact =
@@ -108,7 +108,8 @@ TEST(Reference, PerVertexLambertConvergesAtOrderTwo) {
 }
 
 TEST(Reference, PerPixelOnMeshesConvergesToTheShapeAtOrderTwo) {
-    const std::vector<double> errors = errors_of_tessellations(technique_of(Frequency::per_pixel, Model::lambert), {2, 3, 9});
+    const std::vector<double> errors =
+        errors_of_tessellations(technique_of(Frequency::per_pixel, Model::lambert), {2, 3, 9});
     expect_order_two(errors);
     EXPECT_LT(errors.back(), 1e-4);
 }
@@ -375,8 +376,9 @@ TEST(Reference, ProgressIsToldAndCanStop) {
         return true;
     });
     EXPECT_EQ(last, 1);
-    EXPECT_THROW(render_reference(scene, resources_of(scene), {}, {64, 64}, Surface::mesh, [](double) { return false; }),
-                 Cancelled);
+    EXPECT_THROW(
+        render_reference(scene, resources_of(scene), {}, {64, 64}, Surface::mesh, [](double) { return false; }),
+        Cancelled);
 }
 
 TEST(Reference, TheSameBitsEveryTime) {

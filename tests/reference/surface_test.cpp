@@ -40,7 +40,8 @@ TEST(Normals, AgreeWithTheInverseTransposeWhereThereIsOne) {
     const glm::dmat3 linear = linear_part(t);
     const glm::dvec3 n = glm::normalize(glm::dvec3(-1, 2, 0.3));
     const glm::dvec3 expected = glm::normalize(glm::transpose(glm::inverse(linear)) * n);
-    EXPECT_NEAR(glm::length(transform_normal(normal_matrix(linear, Normals::inverse_transpose), n) - expected), 0, 1e-12);
+    EXPECT_NEAR(glm::length(transform_normal(normal_matrix(linear, Normals::inverse_transpose), n) - expected), 0,
+                1e-12);
 }
 
 TEST(Normals, ExtremeAndSingularScalesStayFiniteAndUnit) {
