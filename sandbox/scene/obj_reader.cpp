@@ -192,7 +192,8 @@ class ObjReader {
         if (area_vector(a, b, c) == glm::dvec3(0)) {
             return;
         }
-        mesh_.triangles.emplace_back(vertex(a), vertex(b), vertex(c));
+        const glm::uvec3 triangle{vertex(a), vertex(b), vertex(c)}; // braces: from left to right
+        mesh_.triangles.push_back(triangle);
     }
 
     std::uint32_t vertex(const Corner &corner) {

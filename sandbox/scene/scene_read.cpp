@@ -89,7 +89,7 @@ class Reader {
         for (const auto &[key, value] : json.items()) {
             if (std::find(known.begin(), known.end(), key) == known.end()) {
                 refuse(below(path, key.substr(0, 60)),
-                       "unknown key of a " + std::string(Format<T>::name) + suggestion(key, known));
+                       "unknown key of this " + std::string(Format<T>::name) + suggestion(key, known));
             }
         }
     }
@@ -232,7 +232,7 @@ class Reader {
         constexpr std::array<std::string_view, 2> known{"shape", "obj"};
         for (const auto &[key, value] : json.items()) {
             if (!nearest_word(key, known).empty()) {
-                refuse(below(path, key), "unknown key of a mesh" + suggestion(key, known));
+                refuse(below(path, key), "unknown key of this mesh" + suggestion(key, known));
             }
         }
     }

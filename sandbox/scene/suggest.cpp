@@ -33,7 +33,8 @@ std::string_view nearest_word(std::string_view word, std::span<const std::string
         if (best == 0) {
             break;
         }
-        const std::size_t distance = edit_distance(word, candidate);
+        const bool begun = word.size() >= 3 && candidate.starts_with(word); // fov for fov_y_degrees
+        const std::size_t distance = begun ? 1 : edit_distance(word, candidate);
         if (distance < best) {
             best = distance;
             nearest = candidate;

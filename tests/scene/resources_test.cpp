@@ -1,0 +1,89 @@
+#include "scene/resources.h"
+#include "tools/error_of.h"
+
+#include <gtest/gtest.h>
+
+namespace sandbox {
+namespace {
+
+Object object(const Shape &shape, const std::string &texture = "") {
+    Object out;
+    out.mesh = shape;
+    out.material.texture = texture;
+    return out;
+}
+
+Scene scene_of(std::vector<Object> objects) {
+    Scene scene;
+    scene.objects = std::move(objects);
+    return scene;
+}
+
+TEST(Resources, AreSharedByEqualShapesAndTextures) {
+    Resources resources(Assets("assets"));
+    const Scene scene = scene_of({object(SphereShape{}, "wood.png"), object(SphereShape{}),
+                                  object(SphereShape{2, 32, 64}), object(BoxShape{}, "wood.png")});
+    const auto first = resources.load(scene);
+    EXPECT_EQ(first[0].mesh, first[1].mesh);
+    EXPECT_NE(first[0].mesh, first[2].mesh);
+    EXPECT_EQ(first[0].texture, first[3].texture);
+    EXPECT_EQ(first[1].texture, nullptr);
+    EXPECT_EQ(first[0].texture->size, (Size{256, 256}));
+    EXPECT_EQ(first[0].mesh->positions, build_mesh(SphereShape{}).positions);
+    const auto second = resources.load(scene);
+    EXPECT_EQ(first[2].mesh, second[2].mesh) << "kept from one load to the next";
+}
+
+TEST(Resources, AreDroppedWhenNoLongerUsed) {
+    Resources resources(Assets("assets"));
+    const std::weak_ptr<const Mesh> mesh = resources.load(scene_of({object(SphereShape{})}))[0].mesh;
+    EXPECT_FALSE(mesh.expired());
+    resources.load(scene_of({object(BoxShape{})}));
+    EXPECT_TRUE(mesh.expired());
+}
+
+TEST(Resources, AFailedLoadChangesNothing) {
+    Resources resources(Assets("assets"));
+    const Scene good = scene_of({object(SphereShape{}, "wood.png")});
+    const auto before = resources.load(good);
+    EXPECT_NE(error_of([&] {
+                  resources.load(scene_of({object(BoxShape{}), object(BoxShape{}, "none.png")}));
+              }),
+              "no error");
+    EXPECT_EQ(resources.load(good)[0].mesh, before[0].mesh);
+    EXPECT_EQ(resources.load(good)[0].texture, before[0].texture);
+}
+
+TEST(Resources, NameWhatIsMissingAndWhatThereIs) {
+    Resources resources(Assets("assets"));
+    EXPECT_EQ(
+        error_of([&] { resources.load(scene_of({object(BoxShape{}, "woood.png")})); }),
+        "woood.png: no such texture; looked for it beside the scene file and among the built-in ones (bricks.png, "
+        "checker.png, marble.png, tiles.png, wood.png)");
+    EXPECT_EQ(error_of([&] { resources.load(scene_of({object(ObjShape{"vaze.obj"})})); }),
+              "vaze.obj: no such model; looked for it beside the scene file and among the built-in ones (vase.obj)");
+    EXPECT_EQ(error_of([&] { resources.load(scene_of({object(ObjShape{"/no/such.obj"})})); }),
+              "/no/such.obj: cannot read the file (No such file or directory)");
+}
+
+TEST(Assets, InsideTheExecutableAreThoseOnDisk) {
+    const Assets inside("assets");
+    const Assets outside("assets", std::filesystem::path(SOURCE_DIR) / "assets");
+    for (const char *folder : {"scenes/", "textures/", "models/"}) {
+        EXPECT_EQ(inside.list(folder), outside.list(folder));
+        EXPECT_FALSE(inside.list(folder).empty());
+        for (const std::string &path : inside.list(folder)) {
+            EXPECT_EQ(inside.read(path), outside.read(path)) << path;
+        }
+    }
+}
+
+TEST(Assets, KnowNothingElse) {
+    EXPECT_FALSE(Assets("assets").read("scenes/none.json"));
+    EXPECT_FALSE(Assets("assets", std::filesystem::path(SOURCE_DIR) / "assets").read("scenes"));
+    EXPECT_EQ(error_of([] { const Assets missing("assets", "/no/such/folder"); }),
+              "--assets /no/such/folder: expected a folder");
+}
+
+} // namespace
+} // namespace sandbox
