@@ -17,10 +17,15 @@ constexpr int machine_lacks = 3;
 /// --help and --version, or what was wrong with the command line; CLI11's own codes become ours.
 int report_parse_end(const CLI::App &app, const CLI::ParseError &end) {
     std::ostringstream out, err;
-    const bool fine = app.exit(end, out, err) == 0;
-    print(out.str());
-    std::fputs(err.str().c_str(), stderr);
-    return fine ? 0 : bad_usage;
+    if (app.exit(end, out, err) == 0) {
+        print(out.str());
+        return 0;
+    }
+    const auto chosen = app.get_subcommands();
+    const std::string help =
+        chosen.empty() ? "shading-sandbox --help" : "shading-sandbox " + chosen[0]->get_name() + " --help";
+    note(std::string(end.what()) + " (see: " + help + ")");
+    return bad_usage;
 }
 
 int parse_and_run(int argc, char **argv) {

@@ -48,12 +48,14 @@ void draw_line(ByteImage &picture, const std::string &text, int left, int width,
 
 } // namespace
 
-void draw_labels(ByteImage &picture, Layout layout, std::string_view left, std::string_view right) {
+void draw_labels(ByteImage &picture, Layout layout, std::string_view left, std::string_view right,
+                 std::string_view caption) {
     const double height = line_height(picture);
     const double strip = height * line_spacing;
     const int width = picture.size.width;
     const std::string a = "A  " + std::string(left);
     const std::string b = "B  " + std::string(right);
+    const int caption_width = std::min(width / 3, static_cast<int>(text_width(caption, height) + height + 1));
     darken(picture, static_cast<int>(layout == Layout::difference ? 2 * strip : strip));
     switch (layout) {
     case Layout::single:
@@ -67,8 +69,9 @@ void draw_labels(ByteImage &picture, Layout layout, std::string_view left, std::
         break;
     }
     case Layout::difference:
-        draw_line(picture, a, 0, width, 0, height);
-        draw_line(picture, b, 0, width, strip, height);
+        draw_line(picture, a, 0, width - caption_width, 0, height);
+        draw_line(picture, b, 0, width - caption_width, strip, height);
+        draw_line(picture, std::string(caption), width - caption_width, caption_width, 0, height);
         break;
     }
 }

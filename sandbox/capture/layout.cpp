@@ -47,7 +47,7 @@ std::string_view to_string(Layout layout) { return layout_names[static_cast<std:
 Layout parse_layout(std::string_view text) {
     const auto found = std::find(layout_names.begin(), layout_names.end(), text);
     if (found == layout_names.end()) {
-        throw InputError("expected side-by-side, wipe, difference or single, got '" + std::string(text) + "'");
+        throw InputError("expected side-by-side, wipe or difference, got '" + std::string(text) + "'");
     }
     return static_cast<Layout>(found - layout_names.begin());
 }

@@ -4,6 +4,7 @@
 #include "scene/error.h"
 
 #include <cmath>
+#include <sstream>
 
 namespace sandbox {
 namespace {
@@ -14,6 +15,16 @@ Image magnified(Image difference, double gain) {
         p = {g * std::abs(p.r), g * std::abs(p.g), g * std::abs(p.b), 1};
     }
     return difference;
+}
+
+/// "4 |A - B|"
+std::string difference_caption(const PictureOptions &options) {
+    std::ostringstream caption;
+    if (options.gain != 1) {
+        caption << options.gain << " ";
+    }
+    caption << "|A - B|";
+    return caption.str();
 }
 
 } // namespace
@@ -43,7 +54,8 @@ ByteImage show_picture(const Image &linear, const PictureOptions &options) {
         draw_divider(shown);
     }
     if (options.labels) {
-        draw_labels(shown, options.layout, to_string(options.left), to_string(options.right));
+        draw_labels(shown, options.layout, to_string(options.left), to_string(options.right),
+                    difference_caption(options));
     }
     return shown;
 }

@@ -37,7 +37,7 @@ Assets shader_assets(const CommonOptions &common) { return Assets("shaders", com
 Scene open_scene(const CommonOptions &common, const std::string &name, const std::string &view) {
     Scene scene = open_scene(name, scene_assets(common));
     for (const std::string &setting : common.settings) {
-        scene = with_flag("--set", [&] { return with_setting(scene, setting); });
+        scene = with_setting(scene, setting);
     }
     if (view.empty()) {
         return scene;

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <ranges>
+#include <sstream>
 
 namespace sandbox {
 namespace {
@@ -74,6 +75,12 @@ nlohmann::ordered_json figures(const Metrics &m) {
             {"nonfinite_pixels", m.nonfinite_pixels}};
 }
 
+std::string short_number(double value) {
+    std::ostringstream text;
+    text << value;
+    return text.str();
+}
+
 std::string human_table(const nlohmann::ordered_json &figures) {
     std::string table;
     for (const auto &[key, value] : figures.items()) {
@@ -91,7 +98,7 @@ bool within(const Metrics &metrics, double bound) {
         return false;
     }
     if (!(metrics.norms.max_abs <= bound)) {
-        note("max_abs " + std::to_string(metrics.norms.max_abs) + " is above " + std::to_string(bound));
+        note("max_abs " + short_number(metrics.norms.max_abs) + " is above " + short_number(bound));
         return false;
     }
     return true;

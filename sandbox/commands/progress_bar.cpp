@@ -22,7 +22,7 @@ ProgressBar::~ProgressBar() {
 }
 
 void ProgressBar::report(double share) {
-    if (Clock::now() < next_) {
+    if (Clock::now() < next_ || (share >= 1 && !shown_)) {
         return;
     }
     const int percent = static_cast<int>(100 * std::clamp(share, 0.0, 1.0));

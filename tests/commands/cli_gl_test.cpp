@@ -1,0 +1,169 @@
+#include "commands/process.h"
+
+#include <cstdlib>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+/// The built program's commands that draw.
+namespace sandbox {
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+class CliGl : public testing::Test {
+  protected:
+    void SetUp() override {
+        const ProcessResult probe = run_sandbox({"time", "point-light", "--frames", "1", "--size", "8x8"});
+        const char *ci = std::getenv("CI");
+        if (probe.exit_code == 3 && !(ci != nullptr && std::string(ci) == "true")) {
+            GTEST_SKIP() << probe.err;
+        }
+        ASSERT_EQ(probe.exit_code, 0) << probe.err;
+    }
+    /// capture point-light --out <folder>/name --size 64x48 ...
+    [[nodiscard]] ProcessResult capture(const std::string &name, Arguments more = {}) const {
+        more.insert(more.begin(), {"capture", "point-light", "--out", folder.file(name), "--size", "64x48"});
+        return run_sandbox(more);
+    }
+    [[nodiscard]] bool same_bytes(const std::string &a, const std::string &b) const {
+        return !folder.read(a).empty() && folder.read(a) == folder.read(b);
+    }
+    TestFolder folder;
+};
+
+TEST_F(CliGl, CaptureWritesAPictureAndItsSidecar) {
+    const ProcessResult result = capture("a.png");
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.out + result.err, "");
+    EXPECT_EQ(folder.names(), (Arguments{"a.png", "a.png.json"}));
+    const auto sidecar = nlohmann::json::parse(folder.read("a.png.json"));
+    EXPECT_EQ(sidecar["techniques"], nlohmann::json::array({"per-pixel/blinn-phong"}));
+    EXPECT_EQ(sidecar["size"], nlohmann::json::array({64, 48}));
+    EXPECT_EQ(sidecar["version"], SANDBOX_VERSION);
+    EXPECT_FALSE(sidecar["renderer"].get<std::string>().empty());
+    EXPECT_TRUE(sidecar["scene"].is_object());
+    EXPECT_EQ(capture("b.png", {"--no-sidecar"}).exit_code, 0);
+    EXPECT_EQ(folder.names(), (Arguments{"a.png", "a.png.json", "b.png"}));
+}
+
+TEST_F(CliGl, ASidecarMakesThePictureAgainBitForBit) {
+    const Arguments two{"--left", "per-vertex/phong", "--right", "per-pixel/phong:gate=none"};
+    const auto with = [&](Arguments more) {
+        more.insert(more.end(), two.begin(), two.end());
+        return more;
+    };
+    const std::vector<std::pair<std::string, Arguments>> pictures{
+        {"plain.png", {"--set", "lights[0].diffuse=0.1234567890123"}},
+        {"one.png", {"--technique", "flat/lambert", "--display", "srgb", "--exposure", "1.7", "--labels"}},
+        {"sides.png", with({"--labels"})},
+        {"wipe.png", with({"--layout", "wipe"})},
+        {"difference.png", with({"--layout", "difference", "--gain", "3.3", "--labels"})},
+        {"difference.pfm", with({"--layout", "difference"})}};
+    for (const auto &[name, flags] : pictures) {
+        ASSERT_EQ(capture(name, flags).exit_code, 0) << name;
+        const std::string again = "again-" + name;
+        const ProcessResult result = run_sandbox({"capture", folder.file(name + ".json"), "--out", folder.file(again)});
+        EXPECT_EQ(result.exit_code, 0) << name << result.err;
+        EXPECT_TRUE(same_bytes(name, again)) << name;
+        EXPECT_TRUE(same_bytes(name + ".json", again + ".json")) << name;
+    }
+}
+
+TEST_F(CliGl, FlagsOverrideASidecar) {
+    ASSERT_EQ(capture("two.png", {"--left", "flat/phong", "--right", "flat/lambert", "--labels"}).exit_code, 0);
+    ASSERT_EQ(capture("one.png", {"--technique", "flat/lambert"}).exit_code, 0);
+    const ProcessResult result = run_sandbox({"capture", folder.file("two.png.json"), "--out", folder.file("b.png"),
+                                              "--technique", "flat/lambert", "--no-labels"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_TRUE(same_bytes("one.png", "b.png"));
+}
+
+TEST_F(CliGl, TurntableFramesAreNumberedAndEachHasItsCamera) {
+    ASSERT_EQ(capture("turn_%03d.png", {"--frames", "3", "--orbit", "360"}).exit_code, 0);
+    EXPECT_EQ(folder.names(), (Arguments{"turn_000.png", "turn_000.png.json", "turn_001.png", "turn_001.png.json",
+                                         "turn_002.png", "turn_002.png.json"}));
+    ASSERT_EQ(capture("still.png").exit_code, 0);
+    EXPECT_TRUE(same_bytes("turn_000.png", "still.png"));
+    EXPECT_FALSE(same_bytes("turn_001.png", "turn_000.png"));
+    ASSERT_EQ(run_sandbox({"capture", folder.file("turn_002.png.json"), "--out", folder.file("c.png")}).exit_code, 0);
+    EXPECT_TRUE(same_bytes("turn_002.png", "c.png"));
+}
+
+TEST_F(CliGl, TimePrintsJsonLines) {
+    folder.write("lines", "2\n3\n");
+    const ProcessResult result =
+        run_sandbox({"time", "point-light", "--size", "16x16", "--frames", "-", "--out", folder.file("last.png")}, "",
+                    "< '" + folder.file("lines") + "'");
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    std::istringstream lines(result.out);
+    std::vector<nlohmann::json> json;
+    for (std::string line; std::getline(lines, line);) {
+        json.push_back(nlohmann::json::parse(line));
+    }
+    ASSERT_EQ(json.size(), 3U);
+    EXPECT_TRUE(json[0].contains("case") && json[0].contains("renderer"));
+    EXPECT_GT(json[0]["first_ns"].get<long long>(), 0);
+    EXPECT_EQ(json[1]["ms"].size(), 2U);
+    EXPECT_EQ(json[2]["ms"].size(), 3U);
+    ASSERT_EQ(run_sandbox({"capture", "point-light", "--size", "16x16", "--out", folder.file("c.png")}).exit_code, 0);
+    EXPECT_TRUE(same_bytes("last.png", "c.png")) << "what is timed is what is captured";
+}
+
+TEST_F(CliGl, TimeRefusesAWrongLine) {
+    folder.write("lines", "1\nmany\n");
+    const ProcessResult result =
+        run_sandbox({"time", "point-light", "--size", "8x8", "--frames", "-"}, "", "< '" + folder.file("lines") + "'");
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_NE(result.err.find("many"), std::string::npos);
+}
+
+TEST_F(CliGl, CompareSaysZeroOfTheSame) {
+    const ProcessResult same = run_sandbox({"compare", "point-light", "--left", "flat/phong", "--right", "flat/phong",
+                                            "--size", "64x48", "--json", "--max-abs", "0"});
+    EXPECT_EQ(same.exit_code, 0) << same.err;
+    const auto json = nlohmann::json::parse(same.out);
+    for (const char *key : {"rmse", "mean_abs", "max_abs", "p99_abs", "flip", "max_levels", "differing_share",
+                            "silhouette_pixels", "edge_pixels", "nonfinite_pixels"}) {
+        EXPECT_EQ(json.at(key), 0) << key;
+    }
+    EXPECT_TRUE(json.at("psnr").is_null());
+    EXPECT_GT(json.at("compared_pixels"), 100);
+}
+
+TEST_F(CliGl, CompareChecksABound) {
+    const Arguments to_truth{"compare", "point-light", "--left",    "per-vertex/phong",
+                             "--size",  "64x48",       "--max-abs", "1e-3"};
+    const auto against = [&](const std::string &right) {
+        Arguments all = to_truth;
+        all.insert(all.end(), {"--right", right});
+        return run_sandbox(all);
+    };
+    const ProcessResult far = against("reference");
+    EXPECT_EQ(far.exit_code, 1);
+    EXPECT_NE(far.err.find("max_abs"), std::string::npos);
+    const ProcessResult near = against("reference:frequency=per-vertex");
+    EXPECT_EQ(near.exit_code, 0) << near.err << near.out;
+}
+
+TEST_F(CliGl, AFileThatCannotBeWrittenLeavesNothingBehind) {
+    std::filesystem::create_directory(folder.file("taken.png"));
+    EXPECT_EQ(capture("taken.png").exit_code, 2);
+    EXPECT_EQ(folder.names(), Arguments{"taken.png"});
+}
+
+TEST_F(CliGl, AnInterruptLeavesOnlyWholeFiles) {
+    const ProcessResult result = run_sandbox({"capture", "point-light", "--out", folder.file("t_%d.pfm"), "--size",
+                                              "40x30", "--frames", "100000", "--orbit", "360"},
+                                             "timeout --preserve-status -s INT 1");
+    EXPECT_EQ(result.exit_code, 130) << result.err;
+    for (const std::string &name : folder.names()) {
+        EXPECT_TRUE(name.ends_with(".pfm") || name.ends_with(".pfm.json")) << name;
+        if (name.ends_with(".pfm")) {
+            EXPECT_EQ(folder.read(name).size(), std::string("PF\n40 30\n-1.0\n").size() + 40 * 30 * 12) << name;
+        }
+    }
+}
+
+} // namespace
+} // namespace sandbox
