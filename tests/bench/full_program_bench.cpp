@@ -3,8 +3,23 @@
 #include "scene/scene_file.h"
 #include "turns.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <glm/common.hpp>
+
+namespace {
+
+double largest_difference(const sandbox::Image &a, const sandbox::Image &b) {
+    float largest = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        const auto d = glm::abs(a.pixels[i] - b.pixels[i]);
+        largest = std::max({largest, d.r, d.g, d.b});
+    }
+    return static_cast<double>(largest);
+}
+
+} // namespace
 
 /// What leaving out saves: for every built-in scene, the program that can do every scene against the one made for it.
 int main(int argc, char **argv) {
@@ -27,7 +42,14 @@ int main(int argc, char **argv) {
             };
             const Contender full{name + " " + text + " full", [&] { draw(Program::full); }};
             const Contender specialised{"specialised", [&] { draw(Program::specialised); }};
-            print_duel(full, specialised, take_turns(full, specialised, turns));
+            const Duel duel = take_turns(full, specialised, turns);
+            full.frame();
+            const Image general = target.read_color();
+            specialised.frame();
+            char note[64];
+            std::snprintf(note, sizeof note, " | max difference %.1e",
+                          largest_difference(general, target.read_color()));
+            print_duel(full, specialised, duel, note);
         }
     }
     return 0;
