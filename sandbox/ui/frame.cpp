@@ -1,0 +1,94 @@
+#include "ui/frame.h"
+
+#include "ui/glsl_panel.h"
+#include "ui/keys.h"
+#include "ui/panels.h"
+#include "ui/theme.h"
+#include "ui/viewports.h"
+
+#include <algorithm>
+#include <cmath>
+#include <imgui.h>
+
+namespace sandbox {
+
+namespace {
+
+constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
+
+bool begin_fixed(const char *name, ImVec2 position, ImVec2 size, ImGuiWindowFlags flags = fixed_window) {
+    ImGui::SetNextWindowPos(position);
+    ImGui::SetNextWindowSize(size);
+    return ImGui::Begin(name, nullptr, flags);
+}
+
+float side_width(const ImGuiViewport &window) { return std::min(ImGui::GetFontSize() * 22, window.WorkSize.x * 0.5F); }
+
+/// The side panel scrolls; all else stays.
+void draw_side(Session &session, ImVec2 position, ImVec2 size) {
+    constexpr ImGuiWindowFlags scrolling =
+        (fixed_window & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysVerticalScrollbar;
+    if (begin_fixed("side", position, size, scrolling)) {
+        side_panel(session);
+    }
+    ImGui::End();
+}
+
+} // namespace
+
+void status_line(Session &session, float height) {
+    ImGui::SetCursorPosY((height - ImGui::GetTextLineHeight()) / 2);
+    if (!session.hint.empty()) {
+        ImGui::TextColored(quiet_text(), "%s", session.hint.c_str());
+    } else if (session.message.error) {
+        ImGui::TextColored(error_text(), "%s", session.message.text.c_str());
+    } else {
+        ImGui::TextUnformatted(session.message.text.c_str());
+    }
+}
+
+void draw_frame(Session &session, ViewPainter &painter, const Fonts &fonts) {
+    session.hint.clear();
+    const bool panels = session.appearance.panels;
+    if (panels) {
+        menu_bar(session);
+    }
+    const ImGuiViewport &window = *ImGui::GetMainViewport(); // after the menu bar took its part
+    const float bottom = panels ? ImGui::GetFrameHeight() : 0;
+    const float side = panels ? side_width(window) : 0;
+    const float glsl = panels && session.appearance.glsl ? std::floor(window.WorkSize.y * 0.42F) : 0;
+    const ImVec2 origin = window.WorkPos;
+    const ImVec2 room{std::max(window.WorkSize.x - side, 32.0F), std::max(window.WorkSize.y - bottom, 32.0F)};
+    if (panels) {
+        draw_side(session, origin, {side, room.y});
+    }
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    if (begin_fixed("views", {origin.x + side, origin.y}, {room.x, std::max(room.y - glsl, 32.0F)})) {
+        viewports(session, painter);
+    }
+    ImGui::End();
+    ImGui::PopStyleVar();
+    if (glsl > 0) {
+        if (begin_fixed("glsl", {origin.x + side, origin.y + room.y - glsl}, {room.x, glsl})) {
+            glsl_panel(session, painter, fonts);
+        }
+        ImGui::End();
+    }
+    if (panels) {
+        ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
+        ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+        if (begin_fixed("status", {origin.x, origin.y + room.y}, {window.WorkSize.x, bottom})) {
+            status_line(session, bottom);
+        }
+        ImGui::End();
+        ImGui::PopStyleVar();
+        ImGui::PopStyleColor();
+    }
+    key_list(session);
+    if (!ImGui::IsAnyItemActive()) {
+        session.history.record(session.document); // a drag is one step: it counts when it ends
+    }
+}
+
+} // namespace sandbox

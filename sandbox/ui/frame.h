@@ -1,0 +1,16 @@
+#pragma once
+
+#include "ui/fonts.h"
+#include "ui/session.h"
+#include "ui/view_painter.h"
+
+namespace sandbox {
+
+/// Everything inside the window, once: panels edit the session, pictures are brought up to date.
+void draw_frame(Session &session, ViewPainter &painter, const Fonts &fonts);
+
+void menu_bar(Session &session);
+/// The bottom line: a hint about what the mouse is over, else the last message. `height` in ImGui's units.
+void status_line(Session &session, float height);
+
+} // namespace sandbox

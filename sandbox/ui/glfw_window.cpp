@@ -1,0 +1,130 @@
+#include "ui/glfw_window.h"
+
+#include "scene/error.h"
+#include "ui/keys.h"
+
+#include <GLFW/glfw3.h>
+
+namespace sandbox {
+
+namespace {
+
+std::string last_glfw_error() {
+    const char *text = nullptr;
+    glfwGetError(&text);
+    return text != nullptr ? text : "no reason given";
+}
+
+Arrivals &arrivals_of(GLFWwindow *window) {
+    auto &arrivals = *static_cast<Arrivals *>(glfwGetWindowUserPointer(window));
+    arrivals.any = true;
+    return arrivals;
+}
+
+void on_key(GLFWwindow *window, int key, int scancode, int action, int mods) {
+    Arrivals &arrivals = arrivals_of(window);
+    if (action != GLFW_RELEASE) {
+        arrivals.keys.push_back({layout_key(key, scancode), mods, action == GLFW_REPEAT});
+    }
+}
+
+void on_character(GLFWwindow *window, unsigned int character) {
+    Arrivals &arrivals = arrivals_of(window);
+    arrivals.question_mark |= character == '?';
+}
+
+void on_drop(GLFWwindow *window, int count, const char **paths) {
+    Arrivals &arrivals = arrivals_of(window);
+    arrivals.dropped.assign(paths, paths + count);
+}
+
+void set_hints() {
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, "shading-sandbox");
+    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "shading-sandbox");
+}
+
+} // namespace
+
+GlfwWindow::GlfwWindow(Size size) {
+    if (glfwInit() != GLFW_TRUE) {
+        throw MachineError(
+            "no window can be opened here (" + last_glfw_error() +
+            "): run this in a desktop session, or use `shading-sandbox capture`, which needs no display");
+    }
+    set_hints();
+    window_ = glfwCreateWindow(size.width, size.height, "Shading Sandbox", nullptr, nullptr);
+    if (window_ == nullptr) {
+        const std::string reason = last_glfw_error();
+        glfwTerminate();
+        throw MachineError("no window with OpenGL 3.3 can be opened here (" + reason +
+                           "): a newer graphics driver may help; Mesa's llvmpipe (libgl1-mesa-dri) needs no GPU");
+    }
+    glfwSetWindowSizeLimits(window_, 480, 320, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    glfwSetWindowUserPointer(window_, &arrivals_);
+    install_callbacks(window_);
+}
+
+GlfwWindow::~GlfwWindow() {
+    glfwDestroyWindow(window_);
+    glfwTerminate();
+}
+
+void GlfwWindow::install_callbacks(GLFWwindow *window) {
+    glfwSetKeyCallback(window, on_key);
+    glfwSetCharCallback(window, on_character);
+    glfwSetDropCallback(window, on_drop);
+    glfwSetCursorPosCallback(window, [](GLFWwindow *w, double, double) { arrivals_of(w); });
+    glfwSetCursorEnterCallback(window, [](GLFWwindow *w, int) { arrivals_of(w); });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow *w, int, int, int) { arrivals_of(w); });
+    glfwSetScrollCallback(window, [](GLFWwindow *w, double, double) { arrivals_of(w); });
+    glfwSetWindowFocusCallback(window, [](GLFWwindow *w, int) { arrivals_of(w); });
+    glfwSetWindowCloseCallback(window, [](GLFWwindow *w) { arrivals_of(w); });
+    glfwSetWindowRefreshCallback(window, [](GLFWwindow *w) { arrivals_of(w); });
+    glfwSetFramebufferSizeCallback(window, [](GLFWwindow *w, int, int) { arrivals_of(w); });
+}
+
+bool GlfwWindow::close_asked() const { return glfwWindowShouldClose(window_) == GLFW_TRUE; }
+
+bool GlfwWindow::space_held() const { return glfwGetKey(window_, GLFW_KEY_SPACE) == GLFW_PRESS; }
+
+Size GlfwWindow::framebuffer_size() const {
+    Size size;
+    glfwGetFramebufferSize(window_, &size.width, &size.height);
+    return size;
+}
+
+float GlfwWindow::content_scale() const {
+    float scale = 1;
+    glfwGetWindowContentScale(window_, &scale, nullptr);
+    return scale > 0 ? scale : 1;
+}
+
+void GlfwWindow::set_title(const std::string &title) { glfwSetWindowTitle(window_, title.c_str()); }
+
+void GlfwWindow::show() { glfwShowWindow(window_); }
+
+void GlfwWindow::set_full_screen(bool on) {
+    if (on == full_screen_) {
+        return;
+    }
+    full_screen_ = on;
+    if (!on) {
+        glfwSetWindowMonitor(window_, nullptr, restored_[0], restored_[1], restored_[2], restored_[3], GLFW_DONT_CARE);
+        return;
+    }
+    glfwGetWindowPos(window_, &restored_[0], &restored_[1]);
+    glfwGetWindowSize(window_, &restored_[2], &restored_[3]);
+    GLFWmonitor *monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode *mode = monitor != nullptr ? glfwGetVideoMode(monitor) : nullptr;
+    if (mode != nullptr) {
+        glfwSetWindowMonitor(window_, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+    }
+}
+
+} // namespace sandbox

@@ -1,0 +1,58 @@
+#include "ui/gui.h"
+
+#include "ui/theme.h"
+
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+namespace sandbox {
+
+Gui::Gui(GLFWwindow *window, float content_scale) : content_scale_(content_scale) {
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+    ImGuiIO &io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.LogFilename = nullptr;
+    io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+    io.ConfigInputTextCursorBlink = false;      // a blinking cursor would need frames while nothing happens
+    ImGui_ImplGlfw_InitForOpenGL(window, true); // calls on the callbacks that the window has
+    ImGui_ImplOpenGL3_Init("#version 330 core");
+    io.KeyMap[ImGuiKey_Tab] = -1; // Tab hides the panels
+}
+
+Gui::~Gui() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext();
+}
+
+void Gui::restyle(bool dark, float scale) {
+    if (scale != scale_) {
+        fonts_ = load_fonts(scale);
+        if (scale_ != 0) { // the first texture is made by the backend itself
+            ImGui_ImplOpenGL3_DestroyFontsTexture();
+            ImGui_ImplOpenGL3_CreateFontsTexture();
+        }
+    }
+    apply_theme(dark, scale);
+    scale_ = scale;
+    dark_ = dark;
+}
+
+void Gui::begin_frame(const Appearance &appearance) {
+    const float scale = appearance.scale * content_scale_;
+    if (scale != scale_ || appearance.dark != dark_) {
+        restyle(appearance.dark, scale);
+    }
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+}
+
+void Gui::end_frame() {
+    ImGui::Render();
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+} // namespace sandbox

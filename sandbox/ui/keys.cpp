@@ -1,0 +1,145 @@
+#include "ui/keys.h"
+
+#include "ui/edits.h"
+#include "ui/theme.h"
+
+#include <GLFW/glfw3.h>
+#include <algorithm>
+#include <imgui.h>
+
+namespace sandbox {
+
+namespace {
+
+constexpr int plain = 0;
+constexpr int shift = GLFW_MOD_SHIFT;
+constexpr int control = GLFW_MOD_CONTROL;
+
+void next_value(Session &session, std::size_t key_index, bool right) {
+    const TechniqueKey &key = technique_keys()[key_index];
+    Technique &technique = session.technique(right);
+    set_key(technique, key, (key.get(technique) + 1) % static_cast<int>(key.values.size()));
+}
+
+template <bool Right> void next_frequency(Session &s) { next_value(s, 0, Right); }
+template <bool Right> void next_model(Session &s) { next_value(s, 1, Right); }
+template <ViewMode Mode> void view(Session &s) { s.view.mode = Mode; }
+
+void scale_by(Session &s, float factor) { s.appearance.scale = std::clamp(s.appearance.scale * factor, 0.6F, 3.0F); }
+
+void close_lists(Session &s) { s.appearance.key_list = false; }
+
+struct Shortcut {
+    int mods, key;
+    const char *shown; ///< empty: another way to the one above
+    const char *help;
+    void (*run)(Session &);
+    bool repeats = false;
+};
+
+constexpr Shortcut shortcuts[] = {
+    {plain, GLFW_KEY_1, "1", "side by side", view<ViewMode::side_by_side>},
+    {plain, GLFW_KEY_2, "2", "wipe: drag the divider", view<ViewMode::wipe>},
+    {plain, GLFW_KEY_3, "3", "flip: A, or B while Space is held", view<ViewMode::flip>},
+    {plain, GLFW_KEY_4, "4", "difference A - B", view<ViewMode::difference>},
+    {plain, GLFW_KEY_F, "F", "next frequency of A", next_frequency<false>},
+    {shift, GLFW_KEY_F, "Shift+F", "next frequency of B", next_frequency<true>},
+    {plain, GLFW_KEY_M, "M", "next reflection model of A", next_model<false>},
+    {shift, GLFW_KEY_M, "Shift+M", "next reflection model of B", next_model<true>},
+    {plain, GLFW_KEY_X, "X", "exchange A and B", [](Session &s) { std::swap(s.document.left, s.document.right); }},
+    {plain, GLFW_KEY_W, "W", "wireframe", [](Session &s) { s.view.wireframe = !s.view.wireframe; }},
+    {plain, GLFW_KEY_D, "D", "display linear or sRGB",
+     [](Session &s) { s.document.display = s.document.display == Display::linear ? Display::srgb : Display::linear; }},
+    {plain, GLFW_KEY_R, "R", "camera as opened", [](Session &s) { reset_camera(s.document); }},
+    {plain, GLFW_KEY_G, "G", "the GLSL of A and B", [](Session &s) { s.appearance.glsl = !s.appearance.glsl; }},
+    {control, GLFW_KEY_Z, "Ctrl+Z", "undo", undo, true},
+    {control | shift, GLFW_KEY_Z, "Ctrl+Shift+Z", "redo", redo, true},
+    {control, GLFW_KEY_Y, "", "", redo, true},
+    {plain, GLFW_KEY_F12, "F12", "capture the views as a PNG", [](Session &s) { s.requests.capture = true; }},
+    {plain, GLFW_KEY_TAB, "Tab", "hide or show the panels",
+     [](Session &s) { s.appearance.panels = !s.appearance.panels; }},
+    {plain, GLFW_KEY_F11, "F11", "full screen",
+     [](Session &s) { s.appearance.full_screen = !s.appearance.full_screen; }},
+    {control, GLFW_KEY_EQUAL, "Ctrl +", "everything larger", [](Session &s) { scale_by(s, 1.1F); }, true},
+    {control | shift, GLFW_KEY_EQUAL, "", "", [](Session &s) { scale_by(s, 1.1F); }, true},
+    {control, GLFW_KEY_KP_ADD, "", "", [](Session &s) { scale_by(s, 1.1F); }, true},
+    {control, GLFW_KEY_MINUS, "Ctrl -", "everything smaller", [](Session &s) { scale_by(s, 1 / 1.1F); }, true},
+    {control, GLFW_KEY_KP_SUBTRACT, "", "", [](Session &s) { scale_by(s, 1 / 1.1F); }, true},
+    {control, GLFW_KEY_0, "Ctrl 0", "everything at its first size", [](Session &s) { s.appearance.scale = 1; }},
+    {plain, GLFW_KEY_T, "T", "dark or light", [](Session &s) { s.appearance.dark = !s.appearance.dark; }},
+    {plain, GLFW_KEY_F1, "?  F1", "this list", [](Session &s) { s.appearance.key_list = !s.appearance.key_list; }},
+    {plain, GLFW_KEY_ESCAPE, "", "", close_lists},
+    {control, GLFW_KEY_Q, "Ctrl+Q", "quit", [](Session &s) { s.requests.quit = true; }},
+};
+
+struct MouseHelp {
+    const char *shown, *help;
+};
+constexpr MouseHelp mouse_help[] = {
+    {"drag", "orbit around the target"},
+    {"right drag", "move across the picture"},
+    {"wheel", "closer, farther"},
+    {"double click", "camera as opened"},
+    {"Ctrl+click", "type a slider's number"},
+    {"right click", "back to the scene's value"},
+    {"drop a file", "open a scene, a model or a capture's .json"},
+};
+
+void help_line(const char *shown, const char *help) {
+    ImGui::TextColored(side_color(false), "%s", shown);
+    ImGui::SameLine(ImGui::GetFontSize() * 7.5F);
+    ImGui::TextUnformatted(help);
+}
+
+void shortcut_lines() {
+    for (const Shortcut &shortcut : shortcuts) {
+        if (shortcut.shown[0] != '\0') {
+            help_line(shortcut.shown, shortcut.help);
+        }
+    }
+    ImGui::Spacing();
+    for (const MouseHelp &line : mouse_help) {
+        help_line(line.shown, line.help);
+    }
+}
+
+} // namespace
+
+int layout_key(int key, int scancode) {
+    const bool printable = key >= GLFW_KEY_SPACE && key <= GLFW_KEY_WORLD_2;
+    const char *name = printable && key != GLFW_KEY_SPACE ? glfwGetKeyName(key, scancode) : nullptr;
+    if (name == nullptr || name[0] == '\0' || name[1] != '\0') {
+        return key;
+    }
+    const char c = name[0];
+    return c >= 'a' && c <= 'z' ? GLFW_KEY_A + (c - 'a') : c >= '!' && c <= '`' ? c : key;
+}
+
+void press_key(Session &session, int key, int mods, bool repeated, bool typing) {
+    const int meant = mods & (GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER);
+    for (const Shortcut &shortcut : shortcuts) {
+        const bool while_typing = shortcut.key == GLFW_KEY_Q || shortcut.key >= GLFW_KEY_F1;
+        if (shortcut.key == key && shortcut.mods == meant && (!repeated || shortcut.repeats) &&
+            (!typing || while_typing)) {
+            shortcut.run(session);
+            return;
+        }
+    }
+}
+
+void key_list(Session &session) {
+    if (!session.appearance.key_list) {
+        return;
+    }
+    const ImGuiViewport &window = *ImGui::GetMainViewport();
+    ImGui::SetNextWindowSizeConstraints({0, 0}, {window.WorkSize.x, window.WorkSize.y - ImGui::GetFrameHeight()});
+    ImGui::SetNextWindowPos(window.GetWorkCenter(), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
+    const ImGuiWindowFlags flags = ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse |
+                                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove;
+    if (ImGui::Begin("Keys and mouse", &session.appearance.key_list, flags)) {
+        shortcut_lines();
+    }
+    ImGui::End();
+}
+
+} // namespace sandbox

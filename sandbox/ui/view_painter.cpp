@@ -1,0 +1,128 @@
+#include "ui/view_painter.h"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <glm/common.hpp>
+
+namespace sandbox {
+
+namespace {
+
+constexpr glm::vec3 wireframe_color{0.9F, 0.9F, 0.9F};
+
+double milliseconds_since(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+double largest_channel_difference(const Image &left, const Image &right) {
+    float largest = 0;
+    for (std::size_t i = 0; i < std::min(left.pixels.size(), right.pixels.size()); ++i) {
+        const glm::vec4 apart = glm::abs(left.pixels[i] - right.pixels[i]);
+        largest = std::max({largest, apart.r, apart.g, apart.b});
+    }
+    return static_cast<double>(largest);
+}
+
+} // namespace
+
+void ViewPainter::draw_timed(Side &side, const Key &key) {
+    const auto draw = [&] {
+        Renderer::finish();
+        const auto start = std::chrono::steady_clock::now();
+        renderer_.draw(key.scene, key.technique, *side.target);
+        Renderer::finish();
+        side.shown.milliseconds = milliseconds_since(start);
+    };
+    const int built_before = renderer_.programs_built();
+    draw();
+    if (renderer_.programs_built() != built_before) {
+        draw(); // the time of a picture, not of its compiler
+    }
+    if (key.wireframe) {
+        renderer_.draw_wireframe(key.scene, *side.target, wireframe_color);
+    }
+}
+
+bool ViewPainter::paint_side(Side &side, const Key &key, const DisplayKey &display) {
+    const bool redraw = side.drawn != key;
+    if (!redraw && side.displayed == display) {
+        return false;
+    }
+    try {
+        if (redraw) {
+            side.drawn = key;
+            side.displayed.reset();
+            side.shown.error.clear();
+            if (!side.target || side.target->size() != key.size) {
+                side.target.reset();
+                side.target.emplace(key.size);
+                side.display.emplace(key.size);
+            }
+            draw_timed(side, key);
+            side.shown.warning = renderer_.shader_error();
+        }
+        if (side.shown.error.empty()) {
+            display_pass_.run(*side.target, *side.display, display.display, static_cast<float>(display.exposure));
+            side.displayed = display;
+            side.shown.texture = side.display->texture();
+            side.shown.size = key.size;
+        }
+    } catch (const std::exception &error) {
+        side.shown.error = error.what();
+        side.shown.texture = 0;
+        side.displayed = display;
+    }
+    return redraw;
+}
+
+void ViewPainter::paint_difference(double gain, bool changed) {
+    const bool both = sides_[0].shown.texture != 0 && sides_[1].shown.texture != 0;
+    if (!both || sides_[0].target->size() != sides_[1].target->size()) {
+        difference_.reset();
+        return;
+    }
+    const Size size = sides_[0].target->size();
+    if (difference_ && difference_->size() == size && !changed && gain == difference_gain_) {
+        return;
+    }
+    if (!difference_ || difference_->size() != size) {
+        difference_.reset();
+        difference_.emplace(size);
+    }
+    display_pass_.run_difference(*sides_[0].target, *sides_[1].target, *difference_, static_cast<float>(gain));
+    difference_gain_ = gain;
+}
+
+void ViewPainter::paint(const Session &session, Size each) {
+    const Document &document = session.document;
+    const DisplayKey display{document.display, document.exposure};
+    bool changed = false;
+    const Scene seen = scene_in_view(document, each);
+    for (const bool right : {false, true}) {
+        const Key key{seen, session.technique(right), each, session.view.wireframe, reloads_};
+        changed |= paint_side(sides_[right ? 1 : 0], key, display);
+    }
+    measured_ = measured_ && !changed;
+    if (session.view.mode == ViewMode::difference) {
+        paint_difference(session.view.gain, changed);
+    } else {
+        difference_.reset();
+    }
+}
+
+void ViewPainter::measure_difference() {
+    if (measured_ || difference_texture() == 0) {
+        return;
+    }
+    measured_ = true;
+    largest_difference_ = largest_channel_difference(sides_[0].target->read_color(), sides_[1].target->read_color());
+}
+
+bool ViewPainter::reload_changed_shaders() {
+    const bool changed = renderer_.reload_changed_parts();
+    reloads_ += changed ? 1 : 0;
+    return changed;
+}
+
+} // namespace sandbox

@@ -1,0 +1,194 @@
+#include "ui/viewports.h"
+
+#include "ui/difference_scale.h"
+#include "ui/theme.h"
+#include "ui/view_mouse.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <imgui.h>
+#include <string>
+
+namespace sandbox {
+
+namespace {
+
+/// Where things go: a line of names above the pictures, a line of figures below.
+struct Plan {
+    Rect pictures;
+    float line = 0;
+    float gap = 0; ///< between two pictures
+    int columns = 1;
+    [[nodiscard]] Rect column(int i) const {
+        const float each = (pictures.width() - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
+        const float left = pictures.low.x + (std::floor(each) + gap) * static_cast<float>(i);
+        return {{left, pictures.low.y}, {left + std::floor(each), pictures.high.y}};
+    }
+};
+
+Plan make_plan(const Session &session) {
+    Plan plan;
+    plan.columns = session.view.mode == ViewMode::side_by_side ? 2 : 1;
+    plan.line = ImGui::GetFrameHeight();
+    plan.gap = 4;
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const float below = session.view.mode == ViewMode::difference ? difference_scale_height() : plan.line;
+    const float bottom = std::max(low.y + room.y - below, low.y + plan.line + 16);
+    plan.pictures = {{low.x, low.y + plan.line}, {low.x + std::max(room.x, 16.0F), bottom}};
+    return plan;
+}
+
+Size pixels_of(const Rect &rect) {
+    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale; // larger than 1 on dense screens
+    const auto pixels = [](float length) { return std::clamp(static_cast<int>(std::lround(length)), 1, 8192); };
+    return {pixels(rect.width() * scale.x), pixels(rect.height() * scale.y)};
+}
+
+ImTextureID texture_id(unsigned texture) {
+    return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(texture)); // what the OpenGL backend takes
+}
+
+/// Part of a picture, from share `from` to share `to` of its width.
+void draw_picture_part(const Rect &rect, unsigned texture, float from, float to) {
+    const ImVec2 low{rect.low.x + rect.width() * from, rect.low.y};
+    const ImVec2 high{rect.low.x + rect.width() * to, rect.high.y};
+    ImGui::GetWindowDrawList()->AddImage(texture_id(texture), low, high, {from, 1}, {to, 0});
+}
+
+/// In the place of a picture that could not be drawn.
+void draw_error(const Rect &rect, const std::string &text, bool whole) {
+    const float margin = ImGui::GetFontSize();
+    const float wrap = std::max(rect.width() - 2 * margin, 60.0F);
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
+    const ImVec2 high{rect.high.x, whole ? rect.high.y : std::min(rect.high.y, rect.low.y + size.y + 2 * margin)};
+    list.AddRectFilled(rect.low, high, ImGui::GetColorU32(ImGuiCol_PopupBg));
+    list.PushClipRect(rect.low, rect.high, true);
+    list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {rect.low.x + margin, rect.low.y + margin},
+                 ImGui::GetColorU32(error_text()), text.c_str(), nullptr, wrap);
+    list.PopClipRect();
+}
+
+void draw_view(const PaintedView &view, const Rect &rect, float from = 0, float to = 1) {
+    if (view.texture != 0) {
+        draw_picture_part(rect, view.texture, from, to);
+    } else {
+        const Rect part{{rect.low.x + rect.width() * from, rect.low.y}, {rect.low.x + rect.width() * to, rect.high.y}};
+        draw_error(part, view.error, true);
+    }
+    if (!view.warning.empty()) {
+        draw_error(rect, view.warning, false);
+    }
+}
+
+void draw_line(float x, float y, ImVec4 color, const std::string &text, float right_edge) {
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    list.PushClipRect({x, y}, {right_edge, y + ImGui::GetFrameHeight()}, true);
+    list.AddText({x, y + ImGui::GetStyle().FramePadding.y}, ImGui::GetColorU32(color), text.c_str());
+    list.PopClipRect();
+}
+
+/// "A  per-vertex / phong", then what differs from the defaults.
+std::string side_name(const Session &session, bool right) {
+    std::string text = to_string(session.technique(right));
+    if (const auto slash = text.find('/'); slash != std::string::npos) {
+        text.replace(slash, 1, " / ");
+    }
+    return (right ? "B   " : "A   ") + text;
+}
+
+std::string time_text(const PaintedView &view) {
+    char text[48];
+    std::snprintf(text, sizeof text, view.milliseconds < 10 ? "%.1f ms" : "%.0f ms", view.milliseconds);
+    return view.texture != 0 ? text : "";
+}
+
+void draw_names(const Session &session, const ViewPainter &painter, const Rect &rect, bool right, bool align_right) {
+    const std::string name = side_name(session, right);
+    const std::string time = (rect.width() > 0 ? time_text(painter.view(right)) : "");
+    const float line = ImGui::GetFrameHeight();
+    const float pad = 6;
+    const float name_width = ImGui::CalcTextSize(name.c_str()).x;
+    const float time_width = ImGui::CalcTextSize(time.c_str()).x;
+    const float edge = rect.high.x - pad;
+    draw_line(align_right ? std::max(rect.low.x + pad, edge - name_width) : rect.low.x + pad, rect.low.y - line,
+              side_color(right), name, rect.high.x);
+    draw_line(align_right ? std::max(rect.low.x + pad, edge - time_width) : rect.low.x + pad, rect.high.y,
+              ImGui::GetStyleColorVec4(ImGuiCol_Text), time, rect.high.x);
+}
+
+void show_side_by_side(const Session &session, const ViewPainter &painter, const Plan &plan) {
+    for (const bool right : {false, true}) {
+        const Rect rect = plan.column(right ? 1 : 0);
+        draw_view(painter.view(right), rect);
+        draw_names(session, painter, rect, right, false);
+    }
+}
+
+Rect left_half(const Rect &rect) { return {rect.low, {(rect.low.x + rect.high.x) / 2, rect.high.y}}; }
+Rect right_half(const Rect &rect) { return {{(rect.low.x + rect.high.x) / 2, rect.low.y}, rect.high}; }
+
+void show_wipe(const Session &session, const ViewPainter &painter, const Rect &rect) {
+    const float x = divider_x(session, rect);
+    const float share = (x - rect.low.x) / rect.width();
+    draw_view(painter.view(false), rect, 0, share);
+    draw_view(painter.view(true), rect, share, 1);
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    const float middle = (rect.low.y + rect.high.y) / 2;
+    const float grip = ImGui::GetFontSize() * 0.45F;
+    list.AddRectFilled({x - 1.5F, rect.low.y}, {x + 1.5F, rect.high.y}, IM_COL32(255, 255, 255, 230));
+    list.AddCircleFilled({x, middle}, grip + 2, IM_COL32(20, 24, 28, 255));
+    list.AddCircleFilled({x, middle}, grip, IM_COL32(255, 255, 255, 255));
+    draw_names(session, painter, left_half(rect), false, false);
+    draw_names(session, painter, right_half(rect), true, true);
+}
+
+void show_flip(const Session &session, const ViewPainter &painter, const Rect &rect) {
+    const bool right = session.view.show_right;
+    draw_view(painter.view(right), rect);
+    draw_names(session, painter, rect, right, false);
+    const char *hold = right ? "" : "hold Space for B";
+    draw_line(rect.high.x - ImGui::CalcTextSize(hold).x - 6, rect.low.y - ImGui::GetFrameHeight(), quiet_text(), hold,
+              rect.high.x);
+}
+
+void show_difference(Session &session, const ViewPainter &painter, const Rect &rect) {
+    if (painter.difference_texture() != 0) {
+        draw_picture_part(rect, painter.difference_texture(), 0, 1);
+    } else {
+        const std::string &error = painter.view(false).error;
+        draw_error(rect, error.empty() ? painter.view(true).error : error, true);
+    }
+    draw_names(session, painter, left_half(rect), false, false);
+    draw_names(session, painter, right_half(rect), true, true);
+    difference_scale(session, painter, rect);
+}
+
+} // namespace
+
+void viewports(Session &session, ViewPainter &painter) {
+    const Plan plan = make_plan(session);
+    for (int i = 0; i < plan.columns; ++i) {
+        mouse_over_picture(session, plan.column(i), i);
+    }
+    const Rect rect = plan.column(0);
+    painter.paint(session, pixels_of(rect));
+    if (!ImGui::IsAnyItemActive()) {
+        painter.measure_difference();
+    }
+    switch (session.view.mode) {
+    case ViewMode::side_by_side:
+        return show_side_by_side(session, painter, plan);
+    case ViewMode::wipe:
+        return show_wipe(session, painter, rect);
+    case ViewMode::flip:
+        return show_flip(session, painter, rect);
+    case ViewMode::difference:
+        return show_difference(session, painter, rect);
+    }
+}
+
+} // namespace sandbox

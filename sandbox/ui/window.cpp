@@ -1,0 +1,171 @@
+#include "ui/window.h"
+
+#include "render/context.h"
+#include "render/window_surface.h"
+#include "scene/scene_file.h"
+#include "ui/capture_views.h"
+#include "ui/frame.h"
+#include "ui/glfw_window.h"
+#include "ui/gui.h"
+#include "ui/keys.h"
+#include "ui/open_file.h"
+
+#include <GLFW/glfw3.h>
+#include <exception>
+#include <imgui.h>
+#include <memory>
+
+namespace sandbox {
+
+namespace {
+
+constexpr Size first_size{1280, 720};
+constexpr int settling_frames = 3; // Dear ImGui answers an input over up to three frames
+constexpr double shader_poll_seconds = 0.5;
+
+/// The parts of a running window, made in this order and undone in the other.
+class Window {
+  public:
+    explicit Window(const WindowOptions &options);
+    void run();
+
+  private:
+    void wait();
+    void take_input();
+    void draw();
+    void answer_requests();
+    void open(const std::string &name_or_path);
+    void capture();
+
+    Assets assets_;
+    bool polls_shaders_;
+    GlfwWindow window_;
+    std::unique_ptr<Context> context_;
+    Gui gui_;
+    ViewPainter painter_;
+    Session session_;
+    std::string shown_title_;
+    int frames_left_ = settling_frames;
+};
+
+Window::Window(const WindowOptions &options)
+    : assets_(options.assets), polls_shaders_(!options.shaders.folder().empty()), window_(first_size),
+      context_(Context::of_window(window_.handle())), gui_(window_.handle(), window_.content_scale()),
+      painter_(options.assets, options.shaders),
+      session_(document_of(options.scene_name, options.scene, options.left, options.right)) {
+    session_.scenes = builtin_scenes(assets_);
+    session_.textures = assets_.list("textures/");
+    for (std::string &texture : session_.textures) {
+        texture.erase(0, std::string("textures/").size());
+    }
+    session_.message = {"Drag to orbit, wheel to come closer.  ? lists the keys.", false};
+}
+
+void Window::run() {
+    draw();
+    window_.show();
+    while (!window_.close_asked() && !session_.requests.quit) {
+        wait();
+        take_input();
+        if (frames_left_ > 0) {
+            draw();
+            answer_requests();
+        }
+    }
+}
+
+/// No event, no frame.
+void Window::wait() {
+    if (frames_left_ > 0) {
+        glfwPollEvents();
+    } else if (polls_shaders_) {
+        glfwWaitEventsTimeout(shader_poll_seconds);
+    } else {
+        glfwWaitEvents();
+    }
+}
+
+void Window::take_input() {
+    const Arrivals arrivals = window_.take_arrivals();
+    const bool reloaded = polls_shaders_ && painter_.reload_changed_shaders();
+    frames_left_ = arrivals.any || reloaded ? settling_frames : frames_left_;
+    const bool typing = ImGui::GetIO().WantTextInput;
+    if (!ImGui::IsAnyItemActive() || typing) {
+        for (const KeyPress &press : arrivals.keys) {
+            press_key(session_, press.key, press.mods, press.repeated, typing);
+        }
+    }
+    if (arrivals.question_mark && !typing) {
+        session_.appearance.key_list = !session_.appearance.key_list;
+    }
+    if (!arrivals.dropped.empty()) {
+        session_.requests.open = arrivals.dropped.front();
+    }
+    session_.view.show_right = window_.space_held() && !typing && !ImGui::GetIO().NavVisible; // else Space presses
+}
+
+void Window::draw() {
+    --frames_left_;
+    const Size size = window_.framebuffer_size();
+    if (size.width == 0 || size.height == 0) {
+        return; // minimised
+    }
+    const std::string title = session_.document.opened->name + " - Shading Sandbox";
+    if (title != shown_title_) {
+        window_.set_title(title);
+        shown_title_ = title;
+    }
+    window_.set_full_screen(session_.appearance.full_screen);
+    gui_.begin_frame(session_.appearance);
+    draw_frame(session_, painter_, gui_.fonts());
+    begin_window_surface(size);
+    gui_.end_frame();
+    glfwSwapBuffers(window_.handle());
+}
+
+void Window::answer_requests() {
+    const Requests requests = std::exchange(session_.requests, {});
+    session_.requests.quit = requests.quit;
+    if (requests.open) {
+        open(*requests.open);
+    }
+    if (requests.capture) {
+        capture();
+    }
+    if (requests.open || requests.capture) {
+        frames_left_ = settling_frames;
+    }
+}
+
+void Window::open(const std::string &name_or_path) {
+    try {
+        const OpenedFile file = open_file(name_or_path, assets_);
+        painter_.renderer().resources().load(file.scene); // refuses textures and models that cannot be read
+        show_document(session_, document_from(file, session_));
+        if (file.mode) {
+            session_.view.mode = *file.mode;
+        }
+        session_.message = {"Opened " + file.name + ".", false};
+    } catch (const std::exception &error) {
+        session_.message = {error.what(), true};
+    }
+}
+
+void Window::capture() {
+    try {
+        const DrawnBy by{context_->renderer(), context_->version()};
+        const auto path = std::filesystem::absolute(capture_views(session_, painter_, by));
+        session_.message = {"Captured to " + path.string(), false};
+    } catch (const std::exception &error) {
+        session_.message = {std::string("Not captured: ") + error.what(), true};
+    }
+}
+
+} // namespace
+
+int run_window(const WindowOptions &options) {
+    Window(options).run();
+    return 0;
+}
+
+} // namespace sandbox

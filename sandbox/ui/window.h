@@ -1,0 +1,24 @@
+#pragma once
+
+#include "scene/assets.h"
+#include "scene/scene.h"
+#include "shading/technique.h"
+
+#include <string>
+
+namespace sandbox {
+
+struct WindowOptions {
+    Scene scene;
+    std::string scene_name; ///< as shown and as captures are named
+    Technique left{.frequency = Frequency::per_vertex, .model = Model::phong};
+    Technique right{.frequency = Frequency::per_pixel, .model = Model::blinn_phong};
+    Assets assets{"assets"};
+    Assets shaders{"shaders"};
+};
+
+/// Opens the window and returns when it is closed, with the process's exit code (0).
+/// Throws MachineError where there is no display or no OpenGL 3.3.
+int run_window(const WindowOptions &options);
+
+} // namespace sandbox
