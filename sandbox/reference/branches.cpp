@@ -39,6 +39,9 @@ class Branches {
         const LightSetup &light = setup_.lights[i];
         const LightVectors vectors = sampler_.vectors(here_, i);
         const double noise = rounding * (1 + spread(light, vectors));
+        // A product of exact zeros has no rounding: a floor under a horizontal directional light is not in doubt.
+        const double dot_noise =
+            rounding * (glm::dot(glm::abs(here_.normal), glm::abs(vectors.l)) + spread(light, vectors));
         const auto n_dot_l = [&](const Place &p) { return glm::dot(p.normal, sampler_.vectors(p, i).l); };
         const auto beyond_cone = [&](const Place &p) {
             return glm::dot(-sampler_.vectors(p, i).l, light.travel) - light.cos_outer;
@@ -50,7 +53,7 @@ class Branches {
         const bool gated = terms_ != Terms::body && setup_.technique.gate == Gate::light_facing &&
                            setup_.technique.model != Model::lambert;
         const bool where_lit = terms_ != Terms::highlight && setup_.technique.ambient == AmbientWhere::where_lit;
-        if ((gated || where_lit) && close(n_dot_l, noise)) {
+        if ((gated || where_lit) && close(n_dot_l, dot_noise)) {
             const Amounts amount = amounts(i);
             if ((gated && amount.highlight > negligible) || (where_lit && amount.ambient > negligible)) {
                 return true;
@@ -74,7 +77,7 @@ class Branches {
             right_ = sampler_.at(edge_width, 0);
             below_ = sampler_.at(0, edge_width);
         }
-        return std::abs(q) <= std::abs(quantity(*right_) - q) + std::abs(quantity(*below_) - q) + noise;
+        return std::abs(q) < std::abs(quantity(*right_) - q) + std::abs(quantity(*below_) - q) + noise;
     }
 
     /// The lengths whose difference gives the distance, as shares of it.
