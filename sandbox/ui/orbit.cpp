@@ -14,6 +14,8 @@ namespace {
 
 constexpr double world_limit = 1e9; // coordinates of a scene file
 
+bool in_world(glm::dvec3 p) { return glm::all(glm::lessThanEqual(glm::abs(p), glm::dvec3(world_limit))); }
+
 /// An orthonormal frame with `up` as its axle; the two others depend on `up` alone, so that angles stay comparable.
 struct Turntable {
     glm::dvec3 axle, zero, ninety;
@@ -68,7 +70,7 @@ Camera at_pose(Camera camera, OrbitPose pose) {
     const glm::dvec3 level = table.zero * std::cos(azimuth) + table.ninety * std::sin(azimuth);
     const glm::dvec3 outward = level * std::cos(elevation) + table.axle * std::sin(elevation);
     const glm::dvec3 position = camera.target + outward * kept_between_planes(camera, pose.distance);
-    camera.position = glm::clamp(position, glm::dvec3(-world_limit), glm::dvec3(world_limit));
+    camera.position = in_world(position) ? position : camera.position;
     return camera;
 }
 
@@ -92,7 +94,7 @@ Camera dollied(const Camera &camera, double factor) {
     }
     Camera moved = camera;
     moved.position = camera.target + offset * (kept_between_planes(camera, distance * factor) / distance);
-    return moved;
+    return in_world(moved.position) ? moved : camera;
 }
 
 Camera panned(Camera camera, double right, double up) {
@@ -100,9 +102,7 @@ Camera panned(Camera camera, double right, double up) {
     const double distance = glm::length(camera.position - camera.target);
     const double picture_height = 2 * distance * std::tan(glm::radians(camera.fov_y_degrees) / 2);
     const glm::dvec3 step = (axes.right * right + axes.up * up) * picture_height;
-    const glm::dvec3 limit(world_limit);
-    const bool inside = glm::all(glm::lessThanEqual(glm::abs(camera.position + step), limit)) &&
-                        glm::all(glm::lessThanEqual(glm::abs(camera.target + step), limit));
+    const bool inside = in_world(camera.position + step) && in_world(camera.target + step);
     if (inside) {
         camera.position += step;
         camera.target += step;
