@@ -19,9 +19,9 @@ uniform mat4 model_view_projection;
 #include "lighting.glsl"
 #elif vertex.declares_lights
 #include "lights.glsl"
-#if vertex.uses_view_direction
-uniform vec3 view_direction; // towards a viewer at infinity
 #endif
+#if vertex.uses_view_direction && !vertex.lit
+uniform vec3 view_direction; // towards a viewer at infinity
 #endif
 
 void main()

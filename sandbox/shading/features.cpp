@@ -185,6 +185,9 @@ void simplify(Features &f, const Technique &technique) {
     }
     f.viewer = needs_view(f) ? technique.viewer : Viewer::local;
     const bool positional = f.point.count + f.spot.count > 0;
+    if (f.frequency == Frequency::interpolated_vectors && !positional && !needs_view(f)) {
+        f.frequency = Frequency::per_pixel; // a constant L has nothing to interpolate
+    }
     if (positional || (needs_view(f) && f.viewer == Viewer::local)) {
         f.position = technique.position;
     }

@@ -80,7 +80,7 @@ void pass_on(ProgramNeeds &needs, const Features &f) {
     const StageNeeds &fragment = needs.fragment;
     vertex.P |= fragment.P;
     vertex.N |= fragment.N;
-    if (needs.vectors && fragment.V) {
+    if (needs.vectors && fragment.V && f.viewer == Viewer::local) {
         vertex.V = true;
     }
     const auto hand = [&](const LightNeeds &light, const LightFeatures &features, bool positional) {

@@ -1,0 +1,153 @@
+#include "shading/program_source.h"
+
+#include "scene/error.h"
+#include "shading/template_values.h"
+#include "tools/feature_scenes.h"
+#include "tools/technique_walk.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace sandbox {
+namespace {
+
+const ShaderParts &parts() {
+    static const ShaderParts result{Assets("shaders")};
+    return result;
+}
+
+Features features_of(const Scene &scene, const std::string &technique) {
+    const Object &object = scene.objects.at(0);
+    return derive_features(scene, parse_technique(technique), object, build_mesh(object.mesh));
+}
+
+/// Both stages of the first object's program.
+std::string text_of(const Scene &scene, const std::string &technique) {
+    const ProgramSource source = assemble(features_of(scene, technique), parts());
+    return source.vertex.text + source.fragment.text;
+}
+
+bool has(const std::string &text, const std::string &word) { return text.find(word) != std::string::npos; }
+
+Scene named(const std::string &name) {
+    for (const Scene &scene : feature_scenes()) {
+        if (scene.name == name) {
+            return scene;
+        }
+    }
+    throw std::logic_error("no scene " + name);
+}
+
+TEST(ProgramText, DirectionalLambertHoldsNothingElse) {
+    const std::string text = text_of(named("directional"), "per-pixel/lambert");
+    for (const char *word : {"pow", "for (", "PointLight", "SpotLight", "uv", "v_position", "V =", "half", "shininess",
+                             "specular", "attenuation", "constant", "cutoff", "ambient", "normal_matrix", "mat4 model;",
+                             "inverse", "texture", "base", "emission", "object_id", "Fault"}) {
+        EXPECT_FALSE(has(text, word)) << word << " in\n" << text;
+    }
+    EXPECT_TRUE(has(text, "max(n_dot_l, 0.0)"));
+}
+
+TEST(ProgramText, WhatASceneNeedsIsThere) {
+    const std::string text = text_of(named("all"), "per-pixel/blinn-phong");
+    EXPECT_TRUE(has(text, "pow(f, shininess)"));
+    EXPECT_TRUE(has(text, "for (int i = 0; i < 2; ++i)")); // two point lights, two spots
+    EXPECT_TRUE(has(text, "the_directional_light"));
+    EXPECT_TRUE(has(text, "smoothstep"));
+    EXPECT_TRUE(has(text, "light.quadratic * d * d"));
+    EXPECT_TRUE(has(text, "attenuated_ambient"));
+}
+
+TEST(ProgramText, ATermAtZeroIsLeftOut) {
+    Scene scene = named("attenuated point");
+    scene.lights[0].specular = 0;
+    EXPECT_FALSE(has(text_of(scene, "per-pixel/phong"), "pow"));
+    scene.lights[0].attenuation = {1, 0, 0};
+    EXPECT_FALSE(has(text_of(scene, "per-pixel/phong"), "1.0 / "));
+    scene.lights[0].attenuation = {1, 0, 0.5};
+    EXPECT_FALSE(has(text_of(scene, "per-pixel/phong"), "linear"));
+    scene.lights[0].enabled = false;
+    EXPECT_FALSE(has(text_of(scene, "per-pixel/phong"), "PointLight"));
+    scene = named("spot");
+    scene.lights[0].cutoff_degrees = 180; // no cone: a point light
+    EXPECT_FALSE(has(text_of(scene, "per-pixel/phong"), "Spot"));
+}
+
+TEST(ProgramText, NormalsGoThroughNoMoreThanTheyNeed) {
+    Scene scene = named("directional");
+    EXPECT_FALSE(has(text_of(scene, "per-pixel/phong:viewer=infinite"), "model;"));
+    scene.objects[0].transform.rotate_degrees = {0, 30, 0};
+    EXPECT_FALSE(has(text_of(scene, "per-pixel/phong"), "normal_matrix"));
+    EXPECT_TRUE(has(text_of(scene, "per-pixel/phong"), "mat3(model)"));
+    scene.objects[0].transform.scale = {1, 2, 1};
+    EXPECT_TRUE(has(text_of(scene, "per-pixel/phong"), "normal_matrix"));
+    EXPECT_TRUE(has(text_of(scene, "per-pixel/phong:normals=model-matrix"), "Fault"));
+}
+
+TEST(ProgramText, TheStablePowerIsThereOnlyWhereTheExponentNeedsIt) {
+    Scene scene = named("point");
+    scene.objects[0].material.shininess = 1023;
+    EXPECT_FALSE(has(text_of(scene, "per-pixel/phong"), "stable_power"));
+    scene.objects[0].material.shininess = 1024;
+    EXPECT_TRUE(has(text_of(scene, "per-pixel/phong"), "stable_power"));
+    EXPECT_FALSE(has(text_of(scene, "per-pixel/phong:power=textbook"), "stable_power"));
+    scene.objects[0].material.shininess = 256;
+    scene.blinn_exponent_scale = 4; // n as it is raised
+    EXPECT_TRUE(has(text_of(scene, "per-pixel/blinn-phong"), "stable_power"));
+    EXPECT_FALSE(has(text_of(scene, "per-pixel/phong"), "stable_power"));
+}
+
+TEST(ProgramText, FrequenciesPutTheEquationWhereTheySay) {
+    const Scene scene = named("point");
+    const auto stages = [&](const std::string &technique) { return assemble(features_of(scene, technique), parts()); };
+    EXPECT_TRUE(has(stages("per-vertex/phong").vertex.text, "vec3 point_light("));
+    EXPECT_FALSE(has(stages("per-vertex/phong").fragment.text, "vec3 point_light("));
+    EXPECT_TRUE(has(stages("flat/phong").vertex.text, "flat out vec3 v_light"));
+    EXPECT_TRUE(has(stages("per-pixel/phong").fragment.text, "vec3 point_light("));
+    EXPECT_FALSE(has(stages("hybrid/phong").vertex.text, "vec3 R"));
+    EXPECT_FALSE(has(stages("hybrid/phong").fragment.text, "light.diffuse"));
+    EXPECT_TRUE(has(stages("interpolated-vectors/phong").vertex.text, "out vec3 v_point_L[1]"));
+    EXPECT_FALSE(has(stages("interpolated-vectors/phong").fragment.text, "v_position"));
+}
+
+TEST(ProgramText, TheSameLightingTextServesBothStages) {
+    const Scene scene = named("all");
+    const std::string vertex = assemble(features_of(scene, "per-vertex/blinn-phong"), parts()).vertex.text;
+    const std::string fragment = assemble(features_of(scene, "per-pixel/blinn-phong"), parts()).fragment.text;
+    const auto lighting = [](const std::string &text) {
+        const auto from = text.find("struct DirectionalLight");
+        const auto to = text.find("\n}\n", text.find("vec3 lighting("));
+        return text.substr(from, to - from);
+    };
+    EXPECT_EQ(lighting(vertex), lighting(fragment));
+}
+
+TEST(ProgramText, InterpolatedVectorsRefusesWhatDoesNotFit) {
+    Scene scene = named("point");
+    scene.lights.assign(9, scene.lights[0]); // 9 (3 + 3) + 3 components
+    const Technique technique = parse_technique("interpolated-vectors/blinn-phong");
+    const Features nine = features_of(scene, to_string(technique));
+    EXPECT_EQ(varying_components(nine), 57);
+    EXPECT_NO_THROW(require_drawable(nine, scene, technique, scene.objects[0]));
+    scene.lights.push_back(scene.lights[0]);
+    EXPECT_THROW(require_drawable(features_of(scene, to_string(technique)), scene, technique, scene.objects[0]),
+                 InputError);
+}
+
+/// Two different keys for one text would compile it twice; one key for two texts cannot be (assemble is pure).
+TEST(ProgramText, DifferentFeaturesGiveDifferentText) {
+    for (const Scene &scene : feature_scenes()) {
+        const Mesh mesh = build_mesh(scene.objects[0].mesh);
+        std::map<std::string, Features> seen;
+        for (const Technique &technique : pairwise_techniques()) {
+            const Features features = derive_features(scene, technique, scene.objects[0], mesh);
+            const ProgramSource source = assemble(features, parts());
+            const auto [found, is_new] = seen.emplace(source.vertex.text + source.fragment.text, features);
+            EXPECT_TRUE(is_new || found->second == features) << scene.name << " " << to_string(technique);
+        }
+    }
+}
+
+} // namespace
+} // namespace sandbox

@@ -1,0 +1,78 @@
+#include "tools/technique_walk.h"
+
+#include <random>
+#include <set>
+#include <tuple>
+
+namespace sandbox {
+namespace {
+
+using Pair = std::tuple<std::size_t, int, std::size_t, int>; ///< key, value, key, value
+
+std::set<Pair> pairs_of(const Technique &technique) {
+    const auto keys = technique_keys();
+    std::set<Pair> pairs;
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        for (std::size_t j = i + 1; j < keys.size(); ++j) {
+            pairs.emplace(i, keys[i].get(technique), j, keys[j].get(technique));
+        }
+    }
+    return pairs;
+}
+
+Technique random_technique(std::mt19937 &random) {
+    Technique technique;
+    for (const auto &key : technique_keys()) {
+        key.set(technique, static_cast<int>(random() % key.values.size()));
+    }
+    return technique;
+}
+
+} // namespace
+
+void for_each_technique(const std::function<void(const Technique &)> &visit) {
+    const auto keys = technique_keys();
+    Technique technique;
+    for (const auto &key : keys) {
+        key.set(technique, 0);
+    }
+    while (true) {
+        visit(technique);
+        std::size_t i = 0;
+        for (; i < keys.size(); ++i) { // count up, the first key fastest
+            const int next = keys[i].get(technique) + 1;
+            const bool carries = next == static_cast<int>(keys[i].values.size());
+            keys[i].set(technique, carries ? 0 : next);
+            if (!carries) {
+                break;
+            }
+        }
+        if (i == keys.size()) {
+            return;
+        }
+    }
+}
+
+std::vector<Technique> pairwise_techniques() {
+    constexpr int tries_without_news = 20000;
+    std::mt19937 random(20);
+    std::set<Pair> covered;
+    std::vector<Technique> chosen;
+    for (int idle = 0; idle < tries_without_news; ++idle) {
+        const Technique technique = random_technique(random);
+        if (why_refused(technique)) {
+            continue;
+        }
+        std::size_t news = 0;
+        for (const Pair &pair : pairs_of(technique)) {
+            news += covered.insert(pair).second ? 1U : 0U;
+        }
+        if (news > 0) {
+            chosen.push_back(technique);
+            idle = 0;
+        }
+    }
+    return chosen;
+}
+
+} // namespace sandbox
