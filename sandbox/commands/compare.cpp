@@ -8,7 +8,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <ranges>
 #include <sstream>
 
 namespace sandbox {
@@ -35,8 +34,8 @@ Technique reference_technique(Technique left, std::string_view text) {
     std::string model = to_string(Technique{.model = left.model}).substr(frequency.size() + 1);
     std::string others;
     text.remove_prefix(std::min(text.size(), reference_word.size() + 1));
-    for (const auto part : std::views::split(text, ',')) {
-        const std::string setting(part.begin(), part.end());
+    std::istringstream settings{std::string(text)};
+    for (std::string setting; std::getline(settings, setting, ',');) {
         if (setting.starts_with("frequency=")) {
             frequency = setting.substr(10);
         } else if (setting.starts_with("model=")) {
