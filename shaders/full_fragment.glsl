@@ -43,7 +43,7 @@ void add_all_vectors(vec3 N, vec3 V, inout vec3 multiplied, inout vec3 specular)
         if (model_kind == 1) {
             highlight = phong(normalize(v_reflection[i]), V, true);
         } else if (model_kind == 2) {
-            highlight = blinn_phong(N, v_reflection[i]);
+            highlight = blinn_phong(N, v_reflection[i], renormalize);
         }
         add_light(lights[i], N, V, L, v_distance[i], highlight, multiplied, specular);
     }

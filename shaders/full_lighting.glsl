@@ -33,37 +33,38 @@ uniform bool ambient_where_lit;
 uniform bool unnegated_diffuse;
 
 #include "power_stable.glsl"
-bool is_stiff(float n)
+// Does f^n want the stable form? That measures an angle between unit vectors.
+bool is_stiff(float n, bool unit_vectors)
 {
-    return power_kind == 2 || (power_kind == 0 && n >= 1024.0);
+    return unit_vectors && (power_kind == 2 || (power_kind == 0 && n >= 1024.0));
 }
 
 // f^n from a cosine and the square of its sine (Blinn-Phong, cones).
-float cosine_power(float cosine, float sine2, float n)
+float cosine_power(float cosine, float sine2, float n, bool unit_vectors)
 {
     if (n == 0.0 || n == 1.0) {
         return n == 0.0 ? 1.0 : max(cosine, 0.0);
     }
-    if (is_stiff(n)) {
+    if (is_stiff(n, unit_vectors)) {
         return cosine > 0.0 ? stable_power(sine2, 0.5 * n) : 0.0;
     }
     return pow(max(cosine, 0.0), n);
 }
 
-float blinn_phong(vec3 N, vec3 H)
+float blinn_phong(vec3 N, vec3 H, bool unit_normal)
 {
     float h2 = dot(H, H);
     vec3 sine = cross(N, H);
-    return h2 > 0.0 ? cosine_power(dot(N, H) * inversesqrt(h2), dot(sine, sine) / h2, shininess) : 1.0;
+    return h2 > 0.0 ? cosine_power(dot(N, H) * inversesqrt(h2), dot(sine, sine) / h2, shininess, unit_normal) : 1.0;
 }
 
-float phong(vec3 R, vec3 L, bool unit_normal)
+float phong(vec3 R, vec3 L, bool unit_vectors)
 {
     float f = dot(R, L);
     if (shininess == 0.0 || shininess == 1.0) {
         return shininess == 0.0 ? 1.0 : max(f, 0.0);
     }
-    if (is_stiff(shininess) && unit_normal) {
+    if (is_stiff(shininess, unit_vectors)) {
         vec3 chord = R - L;
         return f > 0.0 ? stable_power(0.5 * dot(chord, chord), shininess) : 0.0;
     }
@@ -77,7 +78,7 @@ float cone(Light light, vec3 L)
         ? smoothstep(light.cos_cutoff, light.cos_inner_cutoff, c)
         : (c < light.cos_cutoff ? 0.0 : 1.0);
     vec3 sine = cross(L, light.direction);
-    return edge * cosine_power(c, dot(sine, sine), light.exponent);
+    return edge * cosine_power(c, dot(sine, sine), light.exponent, true);
 }
 
 float attenuation(Light light, float d)
@@ -127,7 +128,7 @@ void add_all_lights(vec3 P, vec3 N, vec3 V, bool unit_normal, inout vec3 multipl
         if (model_kind == 1) {
             highlight = phong(R, L, unit_normal);
         } else if (model_kind == 2) {
-            highlight = blinn_phong(N, half_vector(lights[i], L, V));
+            highlight = blinn_phong(N, half_vector(lights[i], L, V), unit_normal);
         }
         add_light(lights[i], N, V, L, length(to_light), highlight, multiplied, specular);
     }

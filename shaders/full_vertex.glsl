@@ -15,7 +15,9 @@ uniform mat3 normal_matrix; // inverse transpose of model
 uniform vec3 eye;
 uniform vec3 view_direction; // towards a viewer at infinity
 uniform bool position_w0;
+#if vertex_lit
 uniform bool two_sided;
+#endif
 uniform int normal_transform; // 0 identity, 1 rigid, 2 normal matrix, 3 model matrix, 4 untransformed
 
 #if vertex_lit || vectors
@@ -39,8 +41,11 @@ void main()
     vec3 P = (model * point).xyz - (position_w0 ? eye : vec3(0.0));
     vec3 N = surface_normal();
     vec3 V = viewer_infinite ? view_direction : -P / max(length(P), 1e-18);
-    N = two_sided && dot(N, V) < 0.0 ? -N : N;
+#if fragment_lit
+    v_normal = N;
+#endif
 #if vertex_lit
+    N = two_sided && dot(N, V) < 0.0 ? -N : N;
     v_light = ambient;
 #if hybrid
     vec3 specular = vec3(0.0); // per pixel
@@ -69,11 +74,8 @@ void main()
         v_distance[i] = 0.0;
     }
 #endif
-#if fragment_lit
-#if !vectors
+#if fragment_lit && !vectors
     v_position = P;
-#endif
-    v_normal = N;
 #endif
     v_object_position = a_position;
     v_uv = a_uv;

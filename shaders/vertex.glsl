@@ -33,12 +33,15 @@ void main()
 #if vertex.N
     vec3 N = surface_normal();
 #endif
+#if fragment.N
+    v_normal = N;
+#endif
 #if vertex.V && viewer_infinite
     vec3 V = view_direction;
 #elif vertex.V
     vec3 V = -P / max(length(P), 1e-18); // a vertex may lie at the eye
 #endif
-#if vertex.N && vertex.V && two_sided
+#if vertex.lit && vertex.N && two_sided
     N = dot(N, V) < 0.0 ? -N : N;
 #endif
 #if vertex.separate_specular
@@ -54,9 +57,6 @@ void main()
 #endif
 #if fragment.P
     v_position = P;
-#endif
-#if fragment.N
-    v_normal = N;
 #endif
 #if vectors && fragment.V && !viewer_infinite
     v_view = V;

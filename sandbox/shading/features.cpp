@@ -63,7 +63,10 @@ bool may_touch(const Light &light, const Object &object, const Mesh &mesh) {
 }
 
 Exponent exponent_kind(const Technique &technique, double n) {
-    const bool can_be_stable = technique.renormalize == Renormalize::on || technique.model == Model::blinn_phong;
+    // The stable form measures an angle between unit vectors. Interpolated R and V are made unit whatever N is.
+    const bool can_be_stable =
+        technique.renormalize == Renormalize::on ||
+        (technique.model == Model::phong && technique.frequency == Frequency::interpolated_vectors);
     if (n == 0 || n == 1) {
         return n == 0 ? Exponent::zero : Exponent::one;
     }

@@ -92,9 +92,6 @@ void pass_on(ProgramNeeds &needs, const Features &f) {
     hand(fragment.directional, f.directional, false);
     hand(fragment.point, f.point, true);
     hand(fragment.spot, f.spot, true);
-    if (needs.vectors && vertex.N && f.two_sided) {
-        vertex.V = true;
-    }
     vertex.P |= vertex.V && f.viewer == Viewer::local;
 }
 
