@@ -80,7 +80,6 @@ PictureOptions picture_options(const CaptureFlags &flags) {
     if (flags.size) {
         options.size = parse_size(*flags.size);
     }
-    check_size(options.size);
     view_sizes(options.layout, options.size);
     apply_display(flags, options);
     if (!flags.view.empty()) {

@@ -51,13 +51,19 @@ std::optional<PictureOptions> sidecar_of(const std::string &scene) {
     if (path.extension() != ".json" || !std::filesystem::is_regular_file(path)) {
         return std::nullopt;
     }
-    return sidecar_options(read_file(path), scene);
+    auto options = sidecar_options(read_file(path), scene);
+    if (options) {
+        with_flag(scene + ": size", [&] { check_size(options->size); });
+        check_positive(scene + ": exposure", options->exposure);
+        check_positive(scene + ": gain", options->gain);
+    }
+    return options;
 }
 
 void check_size(Size size) {
     const auto side_ok = [](int side) { return side >= 1 && side <= longest_side; };
     if (!side_ok(size.width) || !side_ok(size.height) || static_cast<long>(size.width) * size.height > most_pixels) {
-        throw InputError("--size: expected WIDTHxHEIGHT with 1 to 16384 each and at most 64 Mpixel in all, got " +
+        throw InputError("expected WIDTHxHEIGHT with 1 to 16384 each and at most 64 Mpixel in all, got " +
                          std::to_string(size.width) + "x" + std::to_string(size.height));
     }
 }
@@ -69,7 +75,7 @@ Size parse_size(std::string_view text) {
     if (width.ec == std::errc() && width.ptr != end && *width.ptr == 'x') {
         const auto height = std::from_chars(width.ptr + 1, end, size.height);
         if (height.ec == std::errc() && height.ptr == end) {
-            check_size(size);
+            with_flag("--size", [&] { check_size(size); });
             return size;
         }
     }
@@ -106,6 +112,9 @@ void print(std::string_view text) {
 }
 
 void note(std::string_view text) {
+    while (text.ends_with('\n')) {
+        text.remove_suffix(1);
+    }
     std::fprintf(stderr, "shading-sandbox: %.*s\n", static_cast<int>(text.size()), text.data());
 }
 

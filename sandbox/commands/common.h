@@ -36,6 +36,7 @@ std::optional<PictureOptions> sidecar_of(const std::string &scene);
 
 /// WIDTHxHEIGHT: 1 to 16384 each and at most 64 Mpixel.
 Size parse_size(std::string_view text);
+/// Throws InputError; parse_size() has checked already.
 void check_size(Size size);
 
 /// Runs `work`; what it says is wrong is said with the flag's name.

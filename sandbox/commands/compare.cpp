@@ -83,9 +83,11 @@ std::string short_number(double value) {
 std::string human_table(const nlohmann::ordered_json &figures) {
     std::string table;
     for (const auto &[key, value] : figures.items()) {
-        const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
-        table += key + std::string(key.size() < 20 ? 20 - key.size() : 1, ' ') + (value.is_null() ? "infinite" : text) +
-                 "\n";
+        const std::string text = value.is_number_float() ? short_number(value.get<double>())
+                                 : value.is_null()       ? "infinite"
+                                 : value.is_string()     ? value.get<std::string>()
+                                                         : value.dump();
+        table += key + std::string(20 - key.size(), ' ') + text + "\n";
     }
     return table;
 }

@@ -23,12 +23,9 @@ int view_scene(const CommonOptions &common, const std::string &name) {
     WindowOptions options;
     options.assets = scene_assets(common);
     options.shaders = shader_assets(common);
-    options.scene_name = name.empty() ? std::string(first_scene) : name;
-    options.scene = open_scene(common, options.scene_name); // a wrong name is said before a display is looked for
-    if (const auto sidecar = sidecar_of(name)) {
-        options.left = sidecar->left;
-        options.right = sidecar->right;
-    }
+    const std::string shown = name.empty() ? std::string(first_scene) : name;
+    options.file = open_file(shown, options.assets); // a wrong name is said before a display is looked for
+    options.file.scene = open_scene(common, shown);  // with every --set
     if (!has_display_server()) {
         throw MachineError("no display server (DISPLAY and WAYLAND_DISPLAY are unset), so no window can open. Use "
                            "`shading-sandbox capture SCENE --out FILE.png` for pictures without a window, or run.sh");

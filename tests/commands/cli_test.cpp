@@ -92,6 +92,16 @@ TEST(Cli, TheOtherCommandsCheckTheirWordsFirst) {
     expect_refused({"reference", "vase", "--out", "a.png", "--surface", "analytic"}, "analytic");
 }
 
+TEST(Cli, ASidecarIsCheckedLikeFlags) {
+    const TestFolder folder;
+    for (const std::string wrong :
+         {R"("size": [0, 5])", R"("size": [99999, 99999])", R"("exposure": -1)", R"("gain": 0)"}) {
+        folder.write("a.png.json", R"({"scene": {"objects": []}, "techniques": ["flat/phong"], )" + wrong + "}");
+        expect_refused({"capture", folder.file("a.png.json"), "--out", folder.file("b.png")},
+                       "a.png.json: " + wrong.substr(1, wrong.find(':') - 2));
+    }
+}
+
 TEST(Cli, ListAsJson) {
     const auto list = nlohmann::json::parse(run_sandbox({"list", "--json"}).out);
     EXPECT_FALSE(list["scenes"].empty());

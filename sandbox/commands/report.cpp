@@ -1,0 +1,147 @@
+#include "commands/commands.h"
+
+#include "commands/interrupt.h"
+#include "commands/progress_bar.h"
+#include "commands/session.h"
+#include "image/image_file.h"
+#include "measure/report.h"
+#include "measure/report_pictures.h"
+
+#include <atomic>
+#include <csignal>
+#include <ctime>
+#include <memory>
+
+namespace sandbox {
+namespace {
+
+constexpr int interrupted_code = 130;
+
+struct ReportFlags {
+    std::string scene, size, view;
+    std::filesystem::path out;
+    std::vector<std::string> merge;
+    int repeats = 0; ///< 0: the plan's own
+    bool quick = false;
+};
+
+/// The first Ctrl-C stops the measuring, what was measured is written; the second ends at once.
+std::atomic<bool> stopped{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may touch nothing else");
+
+void stop(int) {
+    stopped = true;
+    handle_interrupts();
+}
+
+PlanOptions plan_options(const ReportFlags &flags) {
+    PlanOptions options = flags.quick ? quick_plan() : PlanOptions{};
+    if (!flags.size.empty()) {
+        options.size = parse_size(flags.size);
+    }
+    if (flags.repeats > 0) {
+        options.repeats = flags.repeats;
+    }
+    return options;
+}
+
+std::string utc_now() {
+    const std::time_t now = std::time(nullptr);
+    std::tm parts{};
+    gmtime_r(&now, &parts);
+    char text[32];
+    std::strftime(text, sizeof text, "%Y-%m-%d %H:%M", &parts);
+    return text;
+}
+
+ReportRun measure(const ReportFlags &flags, const CommonOptions &common) {
+    const PlanOptions options = plan_options(flags);
+    const Scene scene = open_scene(common, flags.scene, flags.view);
+    DrawingSession session(common);
+    Renderer &renderer = session.renderer();
+    Target target(options.size);
+    const DrawRows draw{
+        [&](const Scene &s) { return renderer.resources().load(s); },
+        [&](const Scene &s, const Technique &t) { return renderer.render(s, t, options.size, true); },
+        [&](const Scene &s, const Technique &t) {
+            const auto start = std::chrono::steady_clock::now();
+            renderer.draw(s, t, target);
+            Renderer::finish();
+            return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+        }};
+    ReportRun run;
+    run.machine = this_machine();
+    run.machine.renderer = session.context().renderer();
+    run.machine.opengl = session.context().version();
+    run.version = SANDBOX_VERSION;
+    run.date = utc_now();
+    run.quick = flags.quick;
+    ProgressBar bar("report");
+    std::signal(SIGINT, stop);
+    run.measured = measure_work_precision(scene, options, draw, [&](double share) {
+        bar.report(share);
+        return !stopped;
+    });
+    handle_interrupts();
+    if (run.measured.finished) {
+        run.pictures = report_pictures(run.measured, draw);
+    }
+    return run;
+}
+
+int run_report(const ReportFlags &flags, const CommonOptions &common) {
+    if (flags.scene.empty() && flags.merge.empty()) {
+        throw InputError("report: expected a SCENE, or --merge with the report.json of earlier runs");
+    }
+    std::vector<ReportRun> runs;
+    for (const std::string &file : flags.merge) {
+        for (ReportRun &run : read_report_json(read_file(file), file)) {
+            runs.push_back(std::move(run));
+        }
+    }
+    std::error_code failed;
+    std::filesystem::create_directories(flags.out, failed);
+    if (!std::filesystem::is_directory(flags.out)) {
+        throw InputError("--out: cannot make the folder '" + flags.out.string() + "'");
+    }
+    if (!flags.scene.empty()) {
+        runs.insert(runs.begin(), measure(flags, common));
+    }
+    write_output(flags.out / "report.json", report_json(runs));
+    write_output(flags.out / "report.csv", report_csv(runs));
+    write_output(flags.out / "report.html", report_html(runs));
+    if (stopped) {
+        note("stopped: the report holds what was measured until then, and says so");
+        return interrupted_code;
+    }
+    return 0;
+}
+
+} // namespace
+
+void add_report(CLI::App &app, CommonOptions &common, Run &run) {
+    CLI::App *command = app.add_subcommand("report", "Error against run time: report.html, report.json, report.csv");
+    auto flags = std::make_shared<ReportFlags>();
+    command->add_option("SCENE", flags->scene, "Built-in name, .json or .obj")->type_name("");
+    command->add_option("--out", flags->out, "The folder that the three files go to; made if there is none")
+        ->type_name("DIR")
+        ->required();
+    command->add_option("--size", flags->size, "Of every picture [640x480; --quick 320x240]")->type_name("WxH");
+    command->add_option("--repeats", flags->repeats, "Timed rounds [21; --quick 5]")
+        ->type_name("N")
+        ->check(CLI::Range(1, 10000));
+    command->add_option("--view", flags->view, "One of the scene's named views")->type_name("NAME");
+    command->add_flag("--quick", flags->quick, "An overview within a minute: small pictures, ladder up to 64 rings");
+    command->add_option("--merge", flags->merge, "Put the runs of earlier report.json files beside this one, or,\n"
+                                                 "without SCENE, beside each other")
+        ->type_name("A.json B.json");
+    command->footer(
+        "Every frequency and model on a ladder of tessellations (8 to 512 rings; --quick 8 to 64), variants on the\n"
+        "scene's own meshes, each judged against the double-precision truth and timed in turns, after 4 rounds that\n"
+        "are dropped. The clock is the wall clock around draw and glFinish. Ctrl-C stops the measuring and writes\n"
+        "what there is (exit code 130); a second one ends at once.");
+    add_common_options(*command, common);
+    command->callback([flags, &common, &run] { run = [flags, &common] { return run_report(*flags, common); }; });
+}
+
+} // namespace sandbox
