@@ -125,7 +125,7 @@ Norms norms_of(const Reading &left, const Reading &right, const std::vector<std:
 
 /// max_levels, differing_share and flip: what 8 bits and the eye see.
 void compare_displayed(const Reading &left, const Reading &right, const std::vector<std::size_t> &compared,
-                       Metrics &metrics) {
+                       Flip flip, Metrics &metrics) {
     const ByteImage a = left.display();
     const ByteImage b = right.display();
     std::size_t differing = 0;
@@ -139,10 +139,10 @@ void compare_displayed(const Reading &left, const Reading &right, const std::vec
     }
     metrics.differing_share =
         compared.empty() ? 0 : static_cast<double>(differing) / static_cast<double>(compared.size());
-    metrics.flip = mean_flip(a, b);
+    metrics.flip = flip == Flip::with ? mean_flip(a, b) : 0;
 }
 
-Metrics compare_views(const Reading &left, const Reading &right) {
+Metrics compare_views(const Reading &left, const Reading &right, Flip flip) {
     require_alike(left, right);
     Metrics metrics;
     const std::vector<std::size_t> compared = compared_pixels(left, right, metrics);
@@ -150,7 +150,7 @@ Metrics compare_views(const Reading &left, const Reading &right) {
     if (metrics.norms.rmse > 0) {
         metrics.psnr = -20 * std::log10(metrics.norms.rmse);
     }
-    compare_displayed(left, right, compared, metrics);
+    compare_displayed(left, right, compared, flip, metrics);
     return metrics;
 }
 
@@ -178,10 +178,14 @@ Norms quantisation_of(const Frame &drawn) {
 
 } // namespace
 
-Metrics compare(const Frame &left, const ReferenceFrame &right) { return compare_views(Reading(left), Reading(right)); }
-Metrics compare(const Frame &left, const Frame &right) { return compare_views(Reading(left), Reading(right)); }
+Metrics compare(const Frame &left, const ReferenceFrame &right, Flip flip) {
+    return compare_views(Reading(left), Reading(right), flip);
+}
+Metrics compare(const Frame &left, const Frame &right) {
+    return compare_views(Reading(left), Reading(right), Flip::with);
+}
 Metrics compare(const ReferenceFrame &left, const ReferenceFrame &right) {
-    return compare_views(Reading(left), Reading(right));
+    return compare_views(Reading(left), Reading(right), Flip::with);
 }
 
 ErrorSplit split_error(const Frame &drawn, const ReferenceFrame &technique, const ReferenceFrame &per_pixel,

@@ -33,8 +33,11 @@ struct Metrics {
     double flip = 0;            ///< mean LDR FLIP of the whole pictures in 8 bits, linear display
 };
 
+/// FLIP costs more than all the rest together; left out, it is 0.
+enum class Flip { with, without };
+
 /// `left` is judged against `right`. Both must have the same size and object ids (std::invalid_argument otherwise).
-Metrics compare(const Frame &left, const ReferenceFrame &right);
+Metrics compare(const Frame &left, const ReferenceFrame &right, Flip flip = Flip::with);
 /// Two drawn pictures: no edges or jumps are known, so no pixel is counted as such.
 Metrics compare(const Frame &left, const Frame &right);
 /// Two truths: pixels at an edge or jump of either are left out.

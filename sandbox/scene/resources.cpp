@@ -43,6 +43,14 @@ template <class Entries, class Key> auto find_entry(const Entries &entries, cons
 
 Resources::Resources(Assets assets) : assets_(std::move(assets)) {}
 
+std::shared_ptr<const Mesh> Resources::kept_mesh(const Shape &shape) const {
+    if (const auto kept = find_entry(meshes_, shape); kept != meshes_.end()) {
+        return kept->second;
+    }
+    const auto earlier = find_entry(earlier_meshes_, shape);
+    return earlier != earlier_meshes_.end() ? earlier->second.lock() : nullptr;
+}
+
 std::vector<ObjectResources> Resources::load(const Scene &scene) {
     // Collected apart and swapped in at the end: a scene that fails changes nothing, one that loads evicts the rest.
     decltype(meshes_) meshes;
@@ -52,10 +60,9 @@ std::vector<ObjectResources> Resources::load(const Scene &scene) {
         ObjectResources resources;
         auto mesh = find_entry(meshes, object.mesh);
         if (mesh == meshes.end()) {
-            const auto kept = find_entry(meshes_, object.mesh);
-            meshes.emplace_back(object.mesh, kept != meshes_.end()
-                                                 ? kept->second
-                                                 : std::make_shared<const Mesh>(load_mesh(assets_, object.mesh)));
+            auto kept = kept_mesh(object.mesh);
+            meshes.emplace_back(object.mesh,
+                                kept ? kept : std::make_shared<const Mesh>(load_mesh(assets_, object.mesh)));
             mesh = std::prev(meshes.end());
         }
         resources.mesh = mesh->second;
@@ -72,7 +79,13 @@ std::vector<ObjectResources> Resources::load(const Scene &scene) {
         }
         out.push_back(std::move(resources));
     }
+    for (const auto &[shape, mesh] : meshes_) {
+        if (find_entry(earlier_meshes_, shape) == earlier_meshes_.end()) {
+            earlier_meshes_.emplace_back(shape, mesh);
+        }
+    }
     meshes_ = std::move(meshes);
+    std::erase_if(earlier_meshes_, [](const auto &entry) { return entry.second.expired(); });
     textures_ = std::move(textures);
     return out;
 }

@@ -11,7 +11,8 @@
 
 namespace sandbox {
 
-/// What one object needs besides its numbers. The same shape or texture gives the same pointer until evicted.
+/// What one object needs besides its numbers. The same shape gives the same mesh as long as anyone holds it; the same
+/// texture gives the same pointer until evicted.
 struct ObjectResources {
     std::shared_ptr<const Mesh> mesh;
     std::shared_ptr<const Image> texture; ///< null: none
@@ -27,7 +28,11 @@ class Resources {
 
   private:
     Assets assets_;
+    [[nodiscard]] std::shared_ptr<const Mesh> kept_mesh(const Shape &shape) const;
+
     std::vector<std::pair<Shape, std::shared_ptr<const Mesh>>> meshes_;
+    /// Of earlier scenes, as long as someone else holds them: turns taken between scenes build nothing anew.
+    std::vector<std::pair<Shape, std::weak_ptr<const Mesh>>> earlier_meshes_;
     std::map<std::string, std::shared_ptr<const Image>> textures_;
 };
 

@@ -1,0 +1,46 @@
+#include "measure/report.h"
+
+#include <cstdlib>
+#include <fstream>
+#include <thread>
+
+namespace sandbox {
+namespace {
+
+std::string processor_name() {
+    std::ifstream info("/proc/cpuinfo");
+    for (std::string line; std::getline(info, line);) {
+        const auto colon = line.find(": ");
+        if (line.starts_with("model name") && colon != std::string::npos) {
+            return line.substr(colon + 2);
+        }
+    }
+    return {};
+}
+
+std::string build_name() {
+#ifdef NDEBUG
+    const std::string kind = "release";
+#else
+    const std::string kind = "debug";
+#endif
+#ifdef __clang__
+    return kind + ", clang " + __clang_version__;
+#else
+    return kind + ", gcc " + __VERSION__;
+#endif
+}
+
+} // namespace
+
+Machine this_machine() {
+    const char *const llvmpipe_threads = std::getenv("LP_NUM_THREADS");
+    return {.renderer = {},
+            .opengl = {},
+            .processor = processor_name(),
+            .threads = static_cast<int>(std::thread::hardware_concurrency()),
+            .llvmpipe_threads = llvmpipe_threads != nullptr ? llvmpipe_threads : "",
+            .build = build_name()};
+}
+
+} // namespace sandbox

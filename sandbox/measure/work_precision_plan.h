@@ -1,0 +1,64 @@
+#pragma once
+
+#include "image/image.h"
+#include "scene/resources.h"
+#include "scene/scene.h"
+#include "shading/technique.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+/// Which techniques a report measures on which meshes.
+namespace sandbox {
+
+struct PlanOptions {
+    Size size{640, 480};
+    int first_rings = 8; ///< the coarsest rung of the ladder; every rung has twice the rings of the one before
+    int last_rings = 512;
+    int warm_ups = 4; ///< rounds that are drawn and dropped
+    int repeats = 21; ///< rounds that are kept
+    bool operator==(const PlanOptions &) const = default;
+};
+/// Small picture, short ladder, few repeats: an overview, not a measurement to quote.
+PlanOptions quick_plan();
+
+/// The scene on one tessellation.
+struct PlannedMesh {
+    int rings = 0;      ///< of the ladder; 0: the scene's own meshes, between two rungs
+    bool own = false;   ///< these are the scene's own meshes
+    bool ladder = true; ///< a rung of the ladder
+    std::size_t triangles = 0;
+    Scene scene;
+};
+
+/// What a row is there to show.
+enum class RowGroup { ladder, own_mesh, full_program, power, claim };
+
+struct PlannedRow {
+    std::size_t mesh = 0; ///< in the meshes
+    Technique technique;
+    RowGroup group = RowGroup::ladder;
+};
+
+struct OmittedRow {
+    std::string technique;
+    std::string reason;
+};
+
+struct Plan {
+    std::vector<PlannedMesh> meshes; ///< from coarse to fine; the own ones, if no rung equals them, first
+    std::vector<PlannedRow> rows;    ///< grouped by mesh
+    std::vector<OmittedRow> omitted; ///< what would draw with the same programs as another row
+};
+
+/// The scene with every built-in shape rescaled, so that its leading shape (the first sphere's rings, else the first
+/// torus's segments, else half of the first cylinder's segments, else the first divisions) gets `rings`. Counts are
+/// fixed at `first_rings` and doubled from there, so that every rung halves every triangle. OBJ files keep their mesh.
+Scene with_rings(const Scene &scene, int rings, int first_rings);
+
+/// `load` gives a scene's meshes, for the features that tell equal programs.
+Plan plan_report(const Scene &scene, const PlanOptions &options,
+                 const std::function<std::vector<ObjectResources>(const Scene &)> &load);
+
+} // namespace sandbox
