@@ -16,6 +16,7 @@ namespace {
 
 constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
+constexpr ImGuiWindowFlags still_window = fixed_window | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing;
 
 bool begin_fixed(const char *name, ImVec2 position, ImVec2 size, ImGuiWindowFlags flags = fixed_window) {
     ImGui::SetNextWindowPos(position);
@@ -29,6 +30,9 @@ float side_width(const ImGuiViewport &window) { return std::min(ImGui::GetFontSi
 void draw_side(Session &session, ImVec2 position, ImVec2 size) {
     constexpr ImGuiWindowFlags scrolling =
         (fixed_window & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysVerticalScrollbar;
+    if (ImGui::GetFrameCount() <= 1) {
+        ImGui::SetNextWindowFocus(); // the arrow keys begin here
+    }
     if (begin_fixed("side", position, size, scrolling)) {
         side_panel(session);
     }
@@ -64,8 +68,11 @@ void draw_frame(Session &session, ViewPainter &painter, const Fonts &fonts) {
         draw_side(session, origin, {side, room.y});
     }
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-    if (begin_fixed("views", {origin.x + side, origin.y}, {room.x, std::max(room.y - glsl, 32.0F)})) {
+    if (begin_fixed("views", {origin.x + side, origin.y}, {room.x, std::max(room.y - glsl, 32.0F)}, still_window)) {
         viewports(session, painter);
+        if (ImGui::IsWindowFocused() && !ImGui::IsAnyItemActive()) {
+            ImGui::SetWindowFocus("side"); // pictures take the mouse, panels the arrow keys
+        }
     }
     ImGui::End();
     ImGui::PopStyleVar();
@@ -78,7 +85,7 @@ void draw_frame(Session &session, ViewPainter &painter, const Fonts &fonts) {
     if (panels) {
         ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
         ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-        if (begin_fixed("status", {origin.x, origin.y + room.y}, {window.WorkSize.x, bottom})) {
+        if (begin_fixed("status", {origin.x, origin.y + room.y}, {window.WorkSize.x, bottom}, still_window)) {
             status_line(session, bottom);
         }
         ImGui::End();

@@ -23,6 +23,11 @@ constexpr Size first_size{1280, 720};
 constexpr int settling_frames = 3; // Dear ImGui answers an input over up to three frames
 constexpr double shader_poll_seconds = 0.5;
 
+Document first_document(const WindowOptions &options) {
+    const Document plain = document_of(options.file.name, options.file.scene, options.left, options.right);
+    return document_from(options.file, Session(plain));
+}
+
 /// The parts of a running window, made in this order and undone in the other.
 class Window {
   public:
@@ -52,7 +57,8 @@ Window::Window(const WindowOptions &options)
     : assets_(options.assets), polls_shaders_(!options.shaders.folder().empty()), window_(first_size),
       context_(Context::of_window(window_.handle())), gui_(window_.handle(), window_.content_scale()),
       painter_(options.assets, options.shaders),
-      session_(document_of(options.scene_name, options.scene, options.left, options.right)) {
+      session_(first_document(options)) {
+    session_.view.mode = options.file.mode.value_or(session_.view.mode);
     session_.scenes = builtin_scenes(assets_);
     session_.textures = assets_.list("textures/");
     for (std::string &texture : session_.textures) {

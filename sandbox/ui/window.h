@@ -1,16 +1,14 @@
 #pragma once
 
 #include "scene/assets.h"
-#include "scene/scene.h"
 #include "shading/technique.h"
-
-#include <string>
+#include "ui/open_file.h"
 
 namespace sandbox {
 
 struct WindowOptions {
-    Scene scene;
-    std::string scene_name; ///< as shown and as captures are named
+    OpenedFile file; ///< what it shows first
+    /// Where the file says nothing about techniques:
     Technique left{.frequency = Frequency::per_vertex, .model = Model::phong};
     Technique right{.frequency = Frequency::per_pixel, .model = Model::blinn_phong};
     Assets assets{"assets"};
