@@ -47,9 +47,7 @@ void orbit_rows(Session &session) {
 
 void display_choice(Session &session) {
     Display &display = session.document.display;
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted("display");
-    ImGui::SameLine(ImGui::GetFontSize() * 8.2F);
+    row_label("display");
     if (ImGui::RadioButton("linear", display == Display::linear)) {
         display = Display::linear;
     }

@@ -39,20 +39,21 @@ std::string number_text(double value, bool sign) {
     return text;
 }
 
-/// The bar with five numbers below it and what its ends mean beside it.
-void draw_scale(const Rect &bar, double gain) {
+/// The bar with five numbers below it and, where there is room, what its ends mean beside it.
+void draw_scale(const Rect &bar, const Rect &picture, double gain) {
     draw_bar(bar);
     for (int i = -2; i <= 2; ++i) {
         const float x = (bar.low.x + bar.high.x) / 2 + bar.width() / 4 * static_cast<float>(i);
         centred_text(x, bar.high.y + 2, number_text(i / 2.0 / gain, i != 0));
     }
     const float gap = ImGui::GetFontSize();
-    const float y = bar.low.y - 1;
-    const std::string brighter[] = {"B brighter", "A brighter"};
-    ImDrawList &list = *ImGui::GetWindowDrawList();
-    list.AddText({bar.low.x - gap - ImGui::CalcTextSize(brighter[0].c_str()).x, y},
-                 ImGui::GetColorU32(side_color(true)), brighter[0].c_str());
-    list.AddText({bar.high.x + gap, y}, ImGui::GetColorU32(side_color(false)), brighter[1].c_str());
+    const float width = ImGui::CalcTextSize("B brighter").x;
+    if (bar.low.x - gap - width > picture.low.x) {
+        ImDrawList &list = *ImGui::GetWindowDrawList();
+        const float y = bar.low.y - 1;
+        list.AddText({bar.low.x - gap - width, y}, ImGui::GetColorU32(side_color(true)), "B brighter");
+        list.AddText({bar.high.x + gap, y}, ImGui::GetColorU32(side_color(false)), "A brighter");
+    }
 }
 
 } // namespace
@@ -64,7 +65,7 @@ void difference_scale(Session &session, const ViewPainter &painter, const Rect &
     const float middle = (picture.low.x + picture.high.x) / 2;
     const float half = std::min(picture.width() * 0.25F, font * 14);
     const float top = picture.high.y + 5;
-    draw_scale({{middle - half, top}, {middle + half, top + font}}, session.view.gain);
+    draw_scale({{middle - half, top}, {middle + half, top + font}}, picture, session.view.gain);
 
     ImGui::SetCursorScreenPos({middle - half, top + font * 2 + 8});
     ImGui::PushItemWidth(half);

@@ -22,7 +22,7 @@ struct Document {
     double exposure = 1; ///< multiplies before the display transfer curve
     Display display = Display::linear;
     /// Narrower views see as much from left to right as a picture of this aspect; 0: just the scene's angle of view.
-    double least_aspect = 1.6;
+    double least_aspect = 1.2;
     std::shared_ptr<const OpenedScene> opened;
     bool operator==(const Document &) const = default;
 };

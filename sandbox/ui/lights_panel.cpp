@@ -148,9 +148,8 @@ bool light_entry(Session &session, std::size_t index) {
     const bool remove = ImGui::Button("\xC3\x97", ImVec2(button, 0));
     hint_for_item(session, "Remove this light.");
     if (open && !remove) {
-        ImGui::Indent();
         light_rows(session, light, session.opened_light(index));
-        ImGui::Unindent();
+        ImGui::Separator();
     }
     return remove;
 }

@@ -119,6 +119,18 @@ void ViewPainter::measure_difference() {
     largest_difference_ = largest_channel_difference(sides_[0].target->read_color(), sides_[1].target->read_color());
 }
 
+std::vector<std::size_t> ViewPainter::triangles(const Scene &scene) {
+    std::vector<std::size_t> counts;
+    try {
+        for (const ObjectResources &object : renderer_.resources().load(scene)) {
+            counts.push_back(object.mesh->triangles.size());
+        }
+    } catch (const std::exception &) {
+        counts.clear(); // said in the picture's place
+    }
+    return counts;
+}
+
 bool ViewPainter::reload_changed_shaders() {
     const bool changed = renderer_.reload_changed_parts();
     reloads_ += changed ? 1 : 0;

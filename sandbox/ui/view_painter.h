@@ -7,6 +7,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace sandbox {
 
@@ -35,6 +36,9 @@ class ViewPainter {
     [[nodiscard]] double largest_difference() const { return largest_difference_; }
     /// Reads both pictures back, if they changed since the last time: for when nothing is being dragged.
     void measure_difference();
+
+    /// Of each object; empty where the scene's meshes cannot be had.
+    [[nodiscard]] std::vector<std::size_t> triangles(const Scene &scene);
 
     [[nodiscard]] Renderer &renderer() { return renderer_; }
     /// --shaders DIR: true if a file there changed; everything is then drawn anew.

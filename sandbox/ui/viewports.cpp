@@ -84,9 +84,13 @@ void draw_view(const PaintedView &view, const Rect &rect, float from = 0, float 
     }
 }
 
-void draw_line(float x, float y, ImVec4 color, const std::string &text, float right_edge) {
+/// A line of text at a side of `rect`, cut off where it does not fit.
+void draw_text_line(const Rect &rect, float y, ImVec4 color, const std::string &text, bool align_right) {
+    constexpr float margin = 6;
+    const float left = rect.low.x + margin;
+    const float x = align_right ? std::max(left, rect.high.x - margin - ImGui::CalcTextSize(text.c_str()).x) : left;
     ImDrawList &list = *ImGui::GetWindowDrawList();
-    list.PushClipRect({x, y}, {right_edge, y + ImGui::GetFrameHeight()}, true);
+    list.PushClipRect({x, y}, {rect.high.x, y + ImGui::GetFrameHeight()}, true);
     list.AddText({x, y + ImGui::GetStyle().FramePadding.y}, ImGui::GetColorU32(color), text.c_str());
     list.PopClipRect();
 }
@@ -97,6 +101,9 @@ std::string side_name(const Session &session, bool right) {
     if (const auto slash = text.find('/'); slash != std::string::npos) {
         text.replace(slash, 1, " / ");
     }
+    if (const auto colon = text.find(':'); colon != std::string::npos) {
+        text.replace(colon, 1, "    ");
+    }
     return (right ? "B   " : "A   ") + text;
 }
 
@@ -106,18 +113,13 @@ std::string time_text(const PaintedView &view) {
     return view.texture != 0 ? text : "";
 }
 
-void draw_names(const Session &session, const ViewPainter &painter, const Rect &rect, bool right, bool align_right) {
-    const std::string name = side_name(session, right);
-    const std::string time = (rect.width() > 0 ? time_text(painter.view(right)) : "");
+/// Above the picture, what it is; `below` it, in lines, how long it took.
+void draw_names(const Session &session, const ViewPainter &painter, const Rect &rect, bool right, bool align_right,
+                float below = 0) {
     const float line = ImGui::GetFrameHeight();
-    const float pad = 6;
-    const float name_width = ImGui::CalcTextSize(name.c_str()).x;
-    const float time_width = ImGui::CalcTextSize(time.c_str()).x;
-    const float edge = rect.high.x - pad;
-    draw_line(align_right ? std::max(rect.low.x + pad, edge - name_width) : rect.low.x + pad, rect.low.y - line,
-              side_color(right), name, rect.high.x);
-    draw_line(align_right ? std::max(rect.low.x + pad, edge - time_width) : rect.low.x + pad, rect.high.y,
-              ImGui::GetStyleColorVec4(ImGuiCol_Text), time, rect.high.x);
+    draw_text_line(rect, rect.low.y - line, side_color(right), side_name(session, right), align_right);
+    draw_text_line(rect, rect.high.y + below * line, ImGui::GetStyleColorVec4(ImGuiCol_Text),
+                   time_text(painter.view(right)), align_right);
 }
 
 void show_side_by_side(const Session &session, const ViewPainter &painter, const Plan &plan) {
@@ -150,9 +152,7 @@ void show_flip(const Session &session, const ViewPainter &painter, const Rect &r
     const bool right = session.view.show_right;
     draw_view(painter.view(right), rect);
     draw_names(session, painter, rect, right, false);
-    const char *hold = right ? "" : "hold Space for B";
-    draw_line(rect.high.x - ImGui::CalcTextSize(hold).x - 6, rect.low.y - ImGui::GetFrameHeight(), quiet_text(), hold,
-              rect.high.x);
+    draw_text_line(rect, rect.low.y - ImGui::GetFrameHeight(), quiet_text(), right ? "" : "hold Space for B", true);
 }
 
 void show_difference(Session &session, const ViewPainter &painter, const Rect &rect) {
@@ -162,8 +162,8 @@ void show_difference(Session &session, const ViewPainter &painter, const Rect &r
         const std::string &error = painter.view(false).error;
         draw_error(rect, error.empty() ? painter.view(true).error : error, true);
     }
-    draw_names(session, painter, left_half(rect), false, false);
-    draw_names(session, painter, right_half(rect), true, true);
+    draw_names(session, painter, left_half(rect), false, false, 1);
+    draw_names(session, painter, right_half(rect), true, true, 1);
     difference_scale(session, painter, rect);
 }
 
@@ -176,6 +176,7 @@ void viewports(Session &session, ViewPainter &painter) {
     }
     const Rect rect = plan.column(0);
     painter.paint(session, pixels_of(rect));
+    session.triangles = painter.triangles(session.document.scene);
     if (!ImGui::IsAnyItemActive()) {
         painter.measure_difference();
     }

@@ -11,12 +11,7 @@ namespace sandbox {
 
 namespace {
 
-void row_label(const char *label) {
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(label);
-    ImGui::SameLine(ImGui::GetFontSize() * 8.2F);
-    ImGui::SetNextItemWidth(-1);
-}
+constexpr float label_ems = 9.2F; // of a row, in text heights
 
 std::string formatted(double value, const char *format) {
     char text[64];
@@ -74,6 +69,13 @@ void hint_for_item(Session &session, const std::string &what) {
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsItemActive()) {
         session.hint = what;
     }
+}
+
+void row_label(const char *label) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(label);
+    ImGui::SameLine(ImGui::GetFontSize() * label_ems);
+    ImGui::SetNextItemWidth(-1);
 }
 
 void heading(const char *text) {

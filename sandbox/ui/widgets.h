@@ -26,6 +26,8 @@ bool choice_row(Session &session, const char *label, std::span<const std::string
 
 /// Says `what` in the status line while the mouse is over the last item.
 void hint_for_item(Session &session, const std::string &what);
+/// The label of a row; its control comes next.
+void row_label(const char *label);
 /// A short heading inside a panel.
 void heading(const char *text);
 /// The next item on the same line if `width` still fits, else on the next one.

@@ -56,8 +56,7 @@ class Window {
 Window::Window(const WindowOptions &options)
     : assets_(options.assets), polls_shaders_(!options.shaders.folder().empty()), window_(first_size),
       context_(Context::of_window(window_.handle())), gui_(window_.handle(), window_.content_scale()),
-      painter_(options.assets, options.shaders),
-      session_(first_document(options)) {
+      painter_(options.assets, options.shaders), session_(first_document(options)) {
     session_.view.mode = options.file.mode.value_or(session_.view.mode);
     session_.scenes = builtin_scenes(assets_);
     session_.textures = assets_.list("textures/");
