@@ -18,6 +18,8 @@
 #include "measure/work_precision_findings.h"
 #include "scene/scene_file.h"
 
+#include <nlohmann/json.hpp>
+
 namespace sandbox {
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include "measure/report.h"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 /// What reading and writing report.json share: inside this room's report_json*.cpp only.
 namespace sandbox::report_parts {

@@ -3,6 +3,8 @@
 #include "scene/error.h"
 #include "scene/scene_file.h"
 
+#include <nlohmann/json.hpp>
+
 namespace sandbox {
 namespace {
 
