@@ -132,8 +132,10 @@ void add_report(CLI::App &app, CommonOptions &common, Run &run) {
         ->check(CLI::Range(1, 10000));
     command->add_option("--view", flags->view, "One of the scene's named views")->type_name("NAME");
     command->add_flag("--quick", flags->quick, "An overview within a minute: small pictures, ladder up to 64 rings");
-    command->add_option("--merge", flags->merge, "Put the runs of earlier report.json files beside this one, or,\n"
-                                                 "without SCENE, beside each other")
+    command
+        ->add_option("--merge", flags->merge,
+                     "Put the runs of earlier report.json files beside this one, or,\n"
+                     "without SCENE, beside each other")
         ->type_name("A.json B.json");
     command->footer(
         "Every frequency and model on a ladder of tessellations (8 to 512 rings; --quick 8 to 64), variants on the\n"

@@ -124,8 +124,8 @@ Norms norms_of(const Reading &left, const Reading &right, const std::vector<std:
 }
 
 /// max_levels, differing_share and flip: what 8 bits and the eye see.
-void compare_displayed(const Reading &left, const Reading &right, const std::vector<std::size_t> &compared,
-                       Flip flip, Metrics &metrics) {
+void compare_displayed(const Reading &left, const Reading &right, const std::vector<std::size_t> &compared, Flip flip,
+                       Metrics &metrics) {
     const ByteImage a = left.display();
     const ByteImage b = right.display();
     std::size_t differing = 0;
@@ -191,12 +191,24 @@ Metrics compare(const ReferenceFrame &left, const ReferenceFrame &right) {
 ErrorSplit split_error(const Frame &drawn, const ReferenceFrame &technique, const ReferenceFrame &per_pixel,
                        const ReferenceFrame *analytic) {
     ErrorSplit split;
-    split.interpolation = norms_between(Reading(technique), Reading(per_pixel));
-    if (analytic != nullptr) {
-        split.geometry = norms_between(Reading(per_pixel), Reading(*analytic));
-    }
-    split.arithmetic = norms_between(Reading(drawn), Reading(technique));
-    split.quantisation = quantisation_of(drawn);
+    parallel_for(4, [&](std::size_t part) {
+        switch (part) {
+        case 0:
+            split.interpolation = norms_between(Reading(technique), Reading(per_pixel));
+            break;
+        case 1:
+            if (analytic != nullptr) {
+                split.geometry = norms_between(Reading(per_pixel), Reading(*analytic));
+            }
+            break;
+        case 2:
+            split.arithmetic = norms_between(Reading(drawn), Reading(technique));
+            break;
+        default:
+            split.quantisation = quantisation_of(drawn);
+            break;
+        }
+    });
     return split;
 }
 

@@ -32,8 +32,10 @@ Norms norms_from(const Json &json) {
 
 Json errors_json(const RowErrors &errors) {
     const Metrics &total = errors.total;
-    Json json{{"nonfinite_pixels", total.nonfinite_pixels}, {"compared_pixels", total.compared_pixels},
-              {"silhouette_pixels", total.silhouette_pixels}, {"edge_pixels", total.edge_pixels},
+    Json json{{"nonfinite_pixels", total.nonfinite_pixels},
+              {"compared_pixels", total.compared_pixels},
+              {"silhouette_pixels", total.silhouette_pixels},
+              {"edge_pixels", total.edge_pixels},
               {"jump_pixels", total.jump_pixels}};
     json.update(norms_json(total.norms));
     json["psnr"] = total.psnr ? number(*total.psnr) : Json();
@@ -84,14 +86,17 @@ RowGroup group_from(const std::string &name) {
 } // namespace
 
 Json machine_json(const Machine &machine) {
-    return {{"renderer", machine.renderer}, {"opengl", machine.opengl},
-            {"processor", machine.processor}, {"threads", machine.threads},
-            {"llvmpipe_threads", machine.llvmpipe_threads}, {"build", machine.build}};
+    return {{"renderer", machine.renderer},
+            {"opengl", machine.opengl},
+            {"processor", machine.processor},
+            {"threads", machine.threads},
+            {"llvmpipe_threads", machine.llvmpipe_threads},
+            {"build", machine.build}};
 }
 
 Machine machine_from(const Json &json) {
-    return {json.at("renderer"), json.at("opengl"), json.at("processor"), json.at("threads").get<int>(),
-            json.at("llvmpipe_threads"), json.at("build")};
+    return {json.at("renderer"),           json.at("opengl"),           json.at("processor"),
+            json.at("threads").get<int>(), json.at("llvmpipe_threads"), json.at("build")};
 }
 
 Json row_json(const MeasuredRow &row, const std::vector<PlannedMesh> &meshes) {

@@ -30,8 +30,11 @@ ReportRun run_from(const Json &json, std::string_view name) {
     m.seconds = {seconds.at("drawing").get<double>(), seconds.at("reference").get<double>(),
                  seconds.at("metrics").get<double>(), seconds.at("other").get<double>()};
     for (const Json &mesh : json.at("meshes")) {
-        m.meshes.push_back({mesh.at("rings").get<int>(), mesh.at("own").get<bool>(), mesh.at("ladder").get<bool>(),
-                            mesh.at("triangles").get<std::size_t>(), {}});
+        m.meshes.push_back({mesh.at("rings").get<int>(),
+                            mesh.at("own").get<bool>(),
+                            mesh.at("ladder").get<bool>(),
+                            mesh.at("triangles").get<std::size_t>(),
+                            {}});
     }
     for (const Json &row : json.at("rows")) {
         m.rows.push_back(report_parts::row_from(row));

@@ -20,8 +20,7 @@ std::vector<ReportPicture> report_pictures(const WorkPrecision &measured, const 
     }
     const bool analytic = measured.no_analytic_surface.empty();
     std::vector<ReportPicture> pictures;
-    const ReferenceFrame truth =
-        report_truth(model, analytic, measured.meshes, measured.options.size, draw.load);
+    const ReferenceFrame truth = report_truth(model, analytic, measured.meshes, measured.options.size, draw.load);
     pictures.push_back({"The truth",
                         std::string(name_of(model)) + " per pixel in double, on the " +
                             (analytic ? "surfaces themselves" : "finest mesh"),

@@ -84,8 +84,8 @@ std::vector<Claim> answer_claims(const WorkPrecision &measured) {
         answers.add("Hybrid is nearly as good as per-pixel", hybrid, per_pixel);
         answers.add("Hybrid is better than per-vertex", hybrid, per_vertex);
         for (const Technique &technique : {per_pixel, per_vertex}) {
-            answers.add("The viewer may be infinitely far away",
-                        with(technique, &Technique::viewer, Viewer::infinite), technique);
+            answers.add("The viewer may be infinitely far away", with(technique, &Technique::viewer, Viewer::infinite),
+                        technique);
             answers.add("One half vector a light is enough",
                         with(technique, &Technique::half_vector, HalfVector::constant), technique);
         }

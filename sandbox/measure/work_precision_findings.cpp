@@ -13,13 +13,8 @@ std::string_view value_name(std::size_t key, int value) {
     return technique_keys()[key].values[static_cast<std::size_t>(value)].name;
 }
 
-bool is_fault(const Technique &technique) {
-    return std::ranges::any_of(technique_keys(),
-                               [&](const TechniqueKey &key) { return key.fault && key.get(technique) != 0; });
-}
-
 TimeAndError time_and_error(const MeasuredRow &row, Model model, ErrorNorm norm) {
-    const bool asked = row.complete() && row.plan.technique.model == model && !is_fault(row.plan.technique);
+    const bool asked = row.complete() && is_base(row) && row.plan.technique.model == model;
     return asked ? TimeAndError{row.time->median, value_of(row.errors->total.norms, norm)}
                  : TimeAndError{infinite, infinite};
 }
@@ -87,9 +82,12 @@ std::optional<std::size_t> find_row(const WorkPrecision &measured, std::size_t m
     const auto found = std::ranges::find_if(measured.rows, [&](const MeasuredRow &row) {
         return row.plan.mesh == mesh && row.plan.technique == technique;
     });
-    return found == measured.rows.end()
-               ? std::nullopt
-               : std::optional(static_cast<std::size_t>(found - measured.rows.begin()));
+    return found == measured.rows.end() ? std::nullopt
+                                        : std::optional(static_cast<std::size_t>(found - measured.rows.begin()));
+}
+
+bool is_base(const MeasuredRow &row) {
+    return row.plan.group == RowGroup::ladder || row.plan.group == RowGroup::own_mesh;
 }
 
 std::vector<Model> models_of(const WorkPrecision &measured) {

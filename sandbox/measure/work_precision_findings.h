@@ -24,6 +24,9 @@ std::string_view name_of(RowGroup group);
 
 /// The row with this technique on this mesh.
 std::optional<std::size_t> find_row(const WorkPrecision &measured, std::size_t mesh, const Technique &technique);
+/// A frequency and a model with every key at its default: what a user chooses among. The other rows are there to be
+/// compared with these.
+bool is_base(const MeasuredRow &row);
 /// The models that some row has, in the order lambert, phong, blinn-phong.
 std::vector<Model> models_of(const WorkPrecision &measured);
 /// The mesh that is the scene's own.
@@ -54,12 +57,11 @@ struct TimeAndError {
 };
 /// The indices of the points that no other beats in both, by time. Points that are not finite are never among them.
 std::vector<std::size_t> pareto_front(std::span<const TimeAndError> points);
-/// The same over the rows of one model: each model is judged against its own truth. Rows whose technique is a fault
-/// are left out: nobody asks for one.
+/// The same over the base rows of one model: each model is judged against its own truth.
 std::vector<std::size_t> pareto_front(const WorkPrecision &measured, Model model, ErrorNorm norm);
 
 constexpr double error_bounds[]{1.0 / 255, 1.0 / 1024, 1e-5};
-/// The row of least median time whose error is at most `bound`.
+/// The base row of least median time whose error is at most `bound`.
 std::optional<std::size_t> cheapest(const WorkPrecision &measured, Model model, ErrorNorm norm, double bound);
 
 /// How much longer `row` takes than `base`: the quotient of each round's two times, so that drift cancels.

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Where the parts of a plot go: numbers become positions, y downwards, in whatever unit `width` is in. Draws nothing,
+/// so that a page and a window show the same plot.
+namespace sandbox {
+
+enum class Scale { linear, logarithmic };
+
+struct PlotPoint {
+    double x = 0, y = 0;
+    double x_low = 0, x_high = 0; ///< the spread of x; equal: none
+    std::size_t tag = 0;          ///< the caller's: which row it is
+};
+struct PlotSeries {
+    std::string name;
+    int style = 0; ///< the caller's: colour and marker
+    std::vector<PlotPoint> points;
+};
+struct PlotGuide {
+    double y = 0;
+    std::string label;
+};
+struct PlotRequest {
+    std::string title, x_label, y_label;
+    Scale x_scale = Scale::logarithmic, y_scale = Scale::logarithmic;
+    double width = 520, height = 380;
+    double left = 62, right = 14, top = 30, bottom = 46; ///< margins
+    std::vector<PlotSeries> series;
+    std::vector<std::size_t> front; ///< tags of the points on the front, by x
+    std::vector<PlotGuide> guides;  ///< horizontal; those out of range are left out
+};
+
+struct PlotTick {
+    double at = 0;
+    std::string label; ///< empty: a minor one
+};
+struct PlacedPoint {
+    double x = 0, y = 0, x_low = 0, x_high = 0;
+    std::size_t tag = 0;
+};
+struct PlacedSeries {
+    std::string name;
+    int style = 0;
+    std::vector<PlacedPoint> points;
+};
+struct PlacedGuide {
+    double at = 0;
+    std::string label;
+};
+struct PlotLayout {
+    double left = 0, top = 0, right = 0, bottom = 0; ///< the frame
+    std::vector<PlotTick> x_ticks, y_ticks;
+    std::vector<PlacedSeries> series;
+    std::vector<PlacedPoint> front; ///< the corners of its staircase
+    std::vector<PlacedGuide> guides;
+};
+
+/// Points that are not finite, or not positive on a logarithmic scale, are left out.
+PlotLayout lay_out(const PlotRequest &request);
+
+/// The tag of the point nearest to (x, y), if one lies within `reach`.
+std::optional<std::size_t> nearest_point(const PlotLayout &layout, double x, double y, double reach);
+
+/// Horizontal bars, each divided by the shares of its parts.
+struct Bar {
+    std::vector<double> parts; ///< >= 0
+};
+struct BarPiece {
+    std::size_t bar = 0, part = 0;
+    double x = 0, y = 0, width = 0, height = 0;
+};
+/// Bars below each other from (left, top), each `width` wide, one every `step`; parts that are 0 have no piece.
+std::vector<BarPiece> lay_out_shares(const std::vector<Bar> &bars, double left, double top, double width, double step,
+                                     double thickness);
+
+} // namespace sandbox

@@ -1,0 +1,96 @@
+#include "measure/stability.h"
+
+#include "reference/reference.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sandbox {
+namespace {
+
+constexpr int cost_turns = 15;
+
+double brightest(const ReferenceFrame &truth) {
+    double largest = 0;
+    for (std::size_t i = 0; i < truth.color.size(); ++i) {
+        if (truth.object_ids[i] != 0 && truth.edge[i] == 0 && truth.jump[i] == 0) {
+            const glm::dvec3 &c = truth.color[i];
+            largest = std::max({largest, c.x, c.y, c.z});
+        }
+    }
+    return largest;
+}
+
+/// Textbook and robust program take turns, so that a drift of the machine hits both alike; the median of the ratios.
+double cost_of(const StabilityCase &one, const StabilityDraw &draw) {
+    std::vector<double> ratios;
+    for (int turn = -2; turn < cost_turns; ++turn) {
+        const double robust = draw.timed(one.scene, one.techniques.front());
+        const double textbook = draw.timed(one.scene, *one.textbook);
+        if (turn >= 0) {
+            ratios.push_back(robust / textbook);
+        }
+    }
+    std::nth_element(ratios.begin(), ratios.begin() + cost_turns / 2, ratios.end());
+    return ratios[cost_turns / 2];
+}
+
+} // namespace
+
+bool StabilityResult::passed() const {
+    return !rows.empty() && std::ranges::all_of(rows, [](const StabilityRow &row) { return row.passed; });
+}
+
+const StabilityRow &StabilityResult::worst() const {
+    return *std::ranges::max_element(rows, [](const StabilityRow &a, const StabilityRow &b) {
+        return std::pair(!a.passed, a.error) < std::pair(!b.passed, b.error);
+    });
+}
+
+StabilityRow judge_stability(const Frame &drawn, const ReferenceFrame &truth, const Technique &technique, double bound,
+                             ErrorUnit unit) {
+    StabilityRow row;
+    row.technique = technique;
+    row.metrics = compare(drawn, truth, Flip::without);
+    const double scale = unit == ErrorUnit::brightest_value ? brightest(truth) : 1;
+    row.error = scale > 0 ? row.metrics.norms.max_abs / scale : row.metrics.norms.max_abs;
+    const auto pixels = static_cast<double>(truth.color.size());
+    row.passed = row.metrics.nonfinite_pixels == 0 && row.error <= bound &&
+                 static_cast<double>(row.metrics.compared_pixels) >= least_compared_share * pixels &&
+                 static_cast<double>(row.metrics.silhouette_pixels) <= most_silhouette_share * pixels;
+    return row;
+}
+
+StabilityResult run_stability_case(const StabilityCase &one, const StabilityDraw &draw, Size size) {
+    StabilityResult result;
+    result.of = one;
+    const auto resources = draw.load(one.scene);
+    for (const Technique &technique : one.techniques) {
+        const ReferenceFrame truth = render_reference(one.scene, resources, technique, size);
+        const Frame frame = draw.picture(one.scene, technique, size);
+        result.rows.push_back(judge_stability(frame, truth, technique, one.bound, one.unit));
+        if (result.rows.size() > 1) {
+            continue;
+        }
+        const Technique textbook = one.textbook.value_or(technique);
+        const Frame naive = one.textbook ? draw.picture(one.scene, textbook, size)
+                                         : textbook_picture(one.scene, resources, technique, size);
+        result.textbook = judge_stability(naive, truth, textbook, one.bound, one.unit);
+        const double white = one.unit == ErrorUnit::brightest_value ? brightest(truth) : 1;
+        const double exposure = white > 0 ? 1 / white : 1;
+        result.textbook_image = to_display(naive.color, Display::linear, exposure);
+        result.robust_image = to_display(frame.color, Display::linear, exposure);
+        // Rounded to float after the exposure: a truth beyond float's range must still be shown.
+        ReferenceFrame shown = truth;
+        for (glm::dvec3 &color : shown.color) {
+            color *= exposure;
+        }
+        result.reference_image = to_display(to_frame(shown).color);
+    }
+    if (one.textbook && draw.timed) {
+        result.cost = cost_of(one, draw);
+    }
+    return result;
+}
+
+} // namespace sandbox
