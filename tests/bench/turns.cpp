@@ -4,16 +4,32 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 
 namespace sandbox {
 namespace {
 
-double milliseconds_per_frame(const Contender &contender, int frames) {
+double cpu_milliseconds() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+void take_turn(const Contender &contender, int frames, Turns &turns) {
     const auto begin = std::chrono::steady_clock::now();
+    const double cpu_begin = cpu_milliseconds();
     for (int i = 0; i < frames; ++i) {
         contender.frame();
     }
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count() / frames;
+    const double wall = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    turns.wall.push_back(wall / frames);
+    turns.cpu.push_back((cpu_milliseconds() - cpu_begin) / frames);
+}
+
+Quartiles ratios(const std::vector<double> &left, const std::vector<double> &right) {
+    std::vector<double> all(left.size());
+    std::transform(left.begin(), left.end(), right.begin(), all.begin(), std::divides<>());
+    return quartiles(all);
 }
 
 } // namespace
@@ -30,28 +46,31 @@ Quartiles quartiles(std::vector<double> values) {
 }
 
 Duel take_turns(const Contender &left, const Contender &right, int turns, int frames, int warm_ups) {
+    Turns unrecorded;
     Duel duel;
     for (int turn = -warm_ups; turn < turns; ++turn) {
-        const bool left_begins = turn % 2 == 0;
-        const double first = milliseconds_per_frame(left_begins ? left : right, frames);
-        const double second = milliseconds_per_frame(left_begins ? right : left, frames);
-        if (turn >= 0) {
-            duel.left.push_back(left_begins ? first : second);
-            duel.right.push_back(left_begins ? second : first);
+        Turns &left_turns = turn < 0 ? unrecorded : duel.left;
+        Turns &right_turns = turn < 0 ? unrecorded : duel.right;
+        if (turn % 2 == 0) {
+            take_turn(left, frames, left_turns);
+            take_turn(right, frames, right_turns);
+        } else {
+            take_turn(right, frames, right_turns);
+            take_turn(left, frames, left_turns);
         }
     }
     return duel;
 }
 
 void print_duel(const Contender &left, const Contender &right, const Duel &duel, const std::string &note) {
-    std::vector<double> ratios(duel.left.size());
-    std::transform(duel.left.begin(), duel.left.end(), duel.right.begin(), ratios.begin(), std::divides<>());
-    const auto [left_low, left_median, left_high] = quartiles(duel.left);
-    const auto [right_low, right_median, right_high] = quartiles(duel.right);
-    const auto [ratio_low, ratio_median, ratio_high] = quartiles(ratios);
-    std::printf("%-44s %7.3f ms [%.3f %.3f] | %s %.3f ms [%.3f %.3f] | ratio %.3f [%.3f %.3f]%s\n", left.name.c_str(),
-                left_median, left_low, left_high, right.name.c_str(), right_median, right_low, right_high, ratio_median,
-                ratio_low, ratio_high, note.c_str());
+    const auto [left_low, left_median, left_high] = quartiles(duel.left.wall);
+    const auto [right_low, right_median, right_high] = quartiles(duel.right.wall);
+    const auto [low, median, high] = ratios(duel.left.wall, duel.right.wall);
+    const auto [cpu_low, cpu_median, cpu_high] = ratios(duel.left.cpu, duel.right.cpu);
+    std::printf(
+        "%-50s %7.3f ms [%.3f %.3f] | %s %.3f ms [%.3f %.3f] | ratio %.3f [%.3f %.3f], cpu %.3f [%.3f %.3f]%s\n",
+        left.name.c_str(), left_median, left_low, left_high, right.name.c_str(), right_median, right_low, right_high,
+        median, low, high, cpu_median, cpu_low, cpu_high, note.c_str());
     std::fflush(stdout);
 }
 

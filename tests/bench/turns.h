@@ -11,8 +11,11 @@ struct Contender {
     std::function<void()> frame; ///< draws one frame and waits for it
 };
 
-/// Milliseconds per frame, one entry a turn.
-using Turns = std::vector<double>;
+/// Milliseconds per frame, one entry a turn: by the wall clock, and of all this process's threads together. Where a
+/// program draws in software, the second is the steadier on a machine that others use too.
+struct Turns {
+    std::vector<double> wall, cpu;
+};
 
 struct Quartiles {
     double low, median, high;
@@ -25,7 +28,7 @@ struct Duel {
 };
 Duel take_turns(const Contender &left, const Contender &right, int turns, int frames = 10, int warm_ups = 4);
 
-/// One line: both medians with their inter-quartile range, and the median of the paired ratios left / right.
+/// One line: both medians with their inter-quartile range, and the medians of the paired ratios left / right.
 void print_duel(const Contender &left, const Contender &right, const Duel &duel, const std::string &note = "");
 
 } // namespace sandbox
