@@ -164,7 +164,9 @@ void show_difference(Session &session, const ViewPainter &painter, const Rect &r
     }
     draw_names(session, painter, left_half(rect), false, false, 1);
     draw_names(session, painter, right_half(rect), true, true, 1);
-    difference_scale(session, painter, rect);
+    if (painter.difference_texture() != 0) {
+        difference_scale(session, painter, rect);
+    }
 }
 
 } // namespace

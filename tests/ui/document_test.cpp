@@ -30,7 +30,8 @@ TEST(Document, WideViewsShowTheScenesOwnAngle) {
 
 TEST(Document, NarrowViewsKeepTheirSides) {
     const Document document = document_of("ball", Scene{}, gouraud, blinn);
-    const double wanted = half_width(document.scene.camera, {1600, 1000});
+    const double wanted =
+        std::tan(document.scene.camera.fov_y_degrees * std::numbers::pi / 360) * document.least_aspect;
     EXPECT_NEAR(half_width(scene_in_view(document, {500, 600}).camera, {500, 600}), wanted, 1e-12);
     EXPECT_LE(scene_in_view(document, {1, 8000}).camera.fov_y_degrees, 179);
 }

@@ -20,9 +20,7 @@ TEST(LineDiff, FindsWhatTheOtherLacks) {
     EXPECT_EQ(lines_missing(right, left), (std::vector<bool>{false, false, false, true, false}));
 }
 
-TEST(LineDiff, OrderCounts) {
-    EXPECT_EQ(lines_missing({"a", "b"}, {"b", "a"}), (std::vector<bool>{true, false}));
-}
+TEST(LineDiff, OrderCounts) { EXPECT_EQ(lines_missing({"a", "b"}, {"b", "a"}), (std::vector<bool>{true, false})); }
 
 TEST(LineDiff, NothingAgainstNothing) {
     EXPECT_TRUE(lines_missing({}, {"a"}).empty());

@@ -13,8 +13,8 @@ constexpr double rounding = 1e-12; // a few dozen double operations on numbers n
 double distance_of(const Camera &camera) { return glm::length(camera.position - camera.target); }
 
 void expect_near(glm::dvec3 a, glm::dvec3 b, double tolerance) {
-    EXPECT_LT(glm::length(a - b), tolerance) << a.x << " " << a.y << " " << a.z << " against " << b.x << " " << b.y
-                                             << " " << b.z;
+    EXPECT_LT(glm::length(a - b), tolerance)
+        << a.x << " " << a.y << " " << a.z << " against " << b.x << " " << b.y << " " << b.z;
 }
 
 TEST(Turntable, PoseIsRightForAxes) {
