@@ -25,7 +25,7 @@ struct BoundingSphere {
     double radius;
 };
 BoundingSphere bounding_sphere(const Object &object, const Mesh &mesh) {
-    const Bounds bounds = bounds_of(mesh);
+    const Bounds &bounds = mesh.bounds;
     const glm::dmat3 linear = linear_part(object.transform);
     const glm::dvec3 half = 0.5 * (bounds.high - bounds.low);
     const double stretch =

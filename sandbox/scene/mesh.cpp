@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 namespace sandbox {
 namespace {
@@ -22,9 +23,26 @@ struct Builder {
     }
 };
 
+/// Three normals interpolate to 0 only if no open half space holds them, which needs a pair at 120 degrees or more.
+bool has_opposing_normals(const Mesh &mesh) {
+    const auto &n = mesh.normals;
+    return std::ranges::any_of(mesh.triangles, [&](const glm::uvec3 &t) {
+        return glm::dot(n[t.x], n[t.y]) < -0.49 || glm::dot(n[t.y], n[t.z]) < -0.49 || glm::dot(n[t.z], n[t.x]) < -0.49;
+    });
+}
+
 } // namespace
 
-Mesh build_mesh(const Shape &shape) { return std::visit(Builder{}, shape); }
+void summarise(Mesh &mesh) {
+    mesh.bounds = bounds_of(mesh);
+    mesh.opposing_normals = has_opposing_normals(mesh);
+}
+
+Mesh build_mesh(const Shape &shape) {
+    Mesh mesh = std::visit(Builder{}, shape);
+    summarise(mesh);
+    return mesh;
+}
 
 double half_extent(const Mesh &mesh) {
     double extent = 0;

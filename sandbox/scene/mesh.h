@@ -8,6 +8,11 @@
 
 namespace sandbox {
 
+/// Axis-aligned bounds in object space.
+struct Bounds {
+    glm::dvec3 low{0}, high{0};
+};
+
 /// An indexed triangle mesh in object space. `normals` are unit and as many as `positions`;
 /// `uvs` are as many as `positions`, or none. Counter-clockwise triangles face outward.
 struct Mesh {
@@ -16,6 +21,8 @@ struct Mesh {
     std::vector<glm::dvec2> uvs;
     std::vector<glm::uvec3> triangles;
     bool closed = false; ///< encloses a volume: its back faces cannot be seen from outside
+    Bounds bounds;       ///< found by summarise(), as the next is
+    bool opposing_normals = false; ///< some triangle's normals may interpolate to 0
 };
 
 /// The mesh of a built-in shape (not ObjShape), as the scene file's rules describe it. Degenerate triangles left out.
@@ -24,10 +31,9 @@ Mesh build_mesh(const Shape &shape);
 /// The largest |coordinate| of any vertex: the checker's half edge R.
 double half_extent(const Mesh &mesh);
 
-/// Axis-aligned bounds in object space.
-struct Bounds {
-    glm::dvec3 low{0}, high{0};
-};
 Bounds bounds_of(const Mesh &mesh);
+
+/// Finds what every draw asks of a mesh, once. build_mesh and read_obj end with it.
+void summarise(Mesh &mesh);
 
 } // namespace sandbox

@@ -248,6 +248,10 @@ class ObjReader {
 
 } // namespace
 
-Mesh read_obj(std::string_view text, std::string_view name) { return ObjReader(text, name).read(); }
+Mesh read_obj(std::string_view text, std::string_view name) {
+    Mesh mesh = ObjReader(text, name).read();
+    summarise(mesh);
+    return mesh;
+}
 
 } // namespace sandbox

@@ -2,6 +2,7 @@
 
 #include "scene/error.h"
 #include "scene/space.h"
+#include "shading/needs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,23 +41,15 @@ bool is_uniform(const glm::dmat3 &m) {
     return scale > 0 && off <= 1e-12 * scale;
 }
 
-/// Normals that interpolation may cancel: a triangle whose normals do not lie within one open half space needs a pair
-/// at 120 degrees or more.
-bool normals_may_cancel(const Mesh &mesh) {
-    return std::ranges::any_of(mesh.triangles, [&](const glm::uvec3 &t) {
-        const auto &n = mesh.normals;
-        return glm::dot(n[t.x], n[t.y]) < -0.49 || glm::dot(n[t.y], n[t.z]) < -0.49 || glm::dot(n[t.z], n[t.x]) < -0.49;
-    });
-}
-
 /// Could the light lie on the object? Its position against the mesh's bounds, in object space, with some room.
 bool may_touch(const Light &light, const Object &object, const Mesh &mesh) {
     const glm::dmat3 linear = linear_part(object.transform);
     if (std::abs(glm::determinant(linear)) == 0) {
         return true;
     }
-    const Bounds bounds = bounds_of(mesh);
-    const glm::dvec3 room = 0.01 * (bounds.high - bounds.low) + glm::dvec3(1e-3 * half_extent(mesh));
+    const Bounds &bounds = mesh.bounds;
+    const glm::dvec3 extent = bounds.high - bounds.low;
+    const glm::dvec3 room = 0.01 * extent + glm::dvec3(1e-3 * glm::length(extent)); // flat shapes have some too
     const glm::dvec3 p = glm::inverse(linear) * (light.position - object.transform.translate);
     return glm::all(glm::greaterThanEqual(p, bounds.low - room)) &&
            glm::all(glm::lessThanEqual(p, bounds.high + room));
@@ -153,7 +146,7 @@ void derive_surface(Features &f, const Scene &scene, const Technique &technique,
                                      f.frequency == Frequency::interpolated_vectors ||
                                      (f.frequency == Frequency::hybrid && f.specular());
     f.renormalize = f.normals && interpolates_normal && technique.renormalize == Renormalize::on;
-    f.guard_normal = f.renormalize && normals_may_cancel(mesh);
+    f.guard_normal = f.renormalize && mesh.opposing_normals;
 }
 
 void derive_half_vectors(Features &f, const Technique &technique) {
@@ -176,6 +169,16 @@ bool needs_view(const Features &f) {
     return f.normals && (f.two_sided || (f.specular() && (reflects || f.gate == Gate::view_facing)));
 }
 
+/// Is anything of the lights interpolated, or V? A directional light's constant L and H are not.
+bool interpolates_vectors(const Features &f) {
+    const StageNeeds fragment = derive_needs(f).fragment;
+    const auto handed = [](const LightNeeds &light) {
+        return light.given_L || light.given_H || light.given_R || light.given_distance || light.given_attenuation;
+    };
+    return handed(fragment.directional) || handed(fragment.point) || handed(fragment.spot) ||
+           (fragment.V && f.viewer == Viewer::local);
+}
+
 /// A frequency or fault that cannot show is replaced by the plain one, so that equal programs have equal features.
 void simplify(Features &f, const Technique &technique) {
     const bool lights = f.directional.count + f.point.count + f.spot.count > 0;
@@ -188,9 +191,6 @@ void simplify(Features &f, const Technique &technique) {
     }
     f.viewer = needs_view(f) ? technique.viewer : Viewer::local;
     const bool positional = f.point.count + f.spot.count > 0;
-    if (f.frequency == Frequency::interpolated_vectors && !positional && !needs_view(f)) {
-        f.frequency = Frequency::per_pixel; // a constant L has nothing to interpolate
-    }
     if (positional || (needs_view(f) && f.viewer == Viewer::local)) {
         f.position = technique.position;
     }
@@ -198,6 +198,9 @@ void simplify(Features &f, const Technique &technique) {
         f.attenuation = technique.attenuation;
     }
     f.unnegated_diffuse = f.directional.diffuse && technique.direction == DirectionSign::unnegated_diffuse;
+    if (f.frequency == Frequency::interpolated_vectors && !interpolates_vectors(f)) {
+        f.frequency = Frequency::per_pixel;
+    }
 }
 
 } // namespace
