@@ -1,5 +1,6 @@
 #include "commands/commands.h"
 
+#include "measure/stability.h"
 #include "scene/scene_file.h"
 #include "shading/technique.h"
 
@@ -53,6 +54,14 @@ ordered_json list_techniques() {
     return techniques;
 }
 
+ordered_json list_stability_cases() {
+    ordered_json cases = ordered_json::array();
+    for (const StabilityCase &one : stability_cases()) {
+        cases.push_back({{"name", one.name}, {"group", one.group}, {"doc", one.symptom}, {"cause", one.cause}});
+    }
+    return cases;
+}
+
 /// One row a name and what it is, the names in a column.
 std::string table(const ordered_json &rows, const char *text_key, int indent) {
     std::size_t widest = 0;
@@ -90,7 +99,7 @@ int run_list(bool json, const CommonOptions &common) {
                            {"scenes", list_scenes(assets)},
                            {"lessons", list_lessons(assets)},
                            {"techniques", list_techniques()},
-                           {"stability", ordered_json::array()}};
+                           {"stability", list_stability_cases()}};
     print(json ? all.dump(2) + "\n" : human_text(all));
     return 0;
 }
