@@ -132,11 +132,14 @@ def png(pixel):
 
 
 def vase():
-    """A turned vase with a wall that has a thickness: a closed mesh of quads, without normals."""
-    outside = [(0.0, 0.0), (0.36, 0.0), (0.40, 0.05), (0.50, 0.22), (0.60, 0.45), (0.62, 0.66), (0.54, 0.90),
-               (0.38, 1.12), (0.28, 1.28), (0.27, 1.42), (0.34, 1.56), (0.43, 1.64)]
-    inside = [(0.40, 1.66), (0.30, 1.56), (0.22, 1.42), (0.23, 1.28), (0.33, 1.10), (0.48, 0.88), (0.55, 0.66),
-              (0.52, 0.45), (0.40, 0.22), (0.0, 0.12)]
+    """A turned vase with a wall that has a thickness: a closed mesh of quads, without normals.
+
+    Rings at a sharp edge (foot, lip) stand twice in the profile: computed normals are not smoothed across it.
+    """
+    outside = [(0.0, 0.0), (0.36, 0.0), (0.36, 0.0), (0.40, 0.05), (0.50, 0.22), (0.60, 0.45), (0.62, 0.66),
+               (0.54, 0.90), (0.38, 1.12), (0.28, 1.28), (0.27, 1.42), (0.34, 1.56), (0.43, 1.64), (0.43, 1.64)]
+    inside = [(0.36, 1.64), (0.36, 1.64), (0.27, 1.54), (0.22, 1.42), (0.23, 1.28), (0.33, 1.10), (0.48, 0.88),
+              (0.55, 0.66), (0.52, 0.45), (0.40, 0.22), (0.0, 0.12)]
     profile, segments = outside + inside, 32
     lines = ["# A vase, turned about the y axis. Made by tests/tools/make_textures.py.", "o vase"]
     first = {}  # index of the first v of each ring; the two ends are single points
@@ -149,14 +152,19 @@ def vase():
             lines.append(f"v {radius * math.cos(angle):.6f} {height:.6f} {radius * math.sin(angle):.6f}")
         count += around
     last = len(profile) - 1
-    for i in range(last + 1):
-        lines += [f"vt {j / segments:.6f} {i / last:.6f}" for j in range(segments + 1)]
+    along = [0.0]  # the profile's length up to each ring: the texture is stretched alike everywhere
+    for one, next_one in zip(profile, profile[1:]):
+        along.append(along[-1] + math.dist(one, next_one))
+    for length in along:
+        lines += [f"vt {j / segments:.6f} {length / along[last]:.6f}" for j in range(segments + 1)]
 
     def corner(i, j):
         single = profile[i][0] == 0
         return f"{first[i] + (0 if single else j % segments)}/{i * (segments + 1) + j + 1}"
 
     for i in range(last):
+        if profile[i] == profile[i + 1]:
+            continue
         for j in range(segments):
             corners = [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)]
             if profile[i][0] == 0:
