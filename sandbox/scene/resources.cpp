@@ -34,6 +34,15 @@ Mesh load_mesh(const Assets &assets, const Shape &shape) {
     return build_mesh(shape);
 }
 
+/// What goes wrong in `load` is said with the key that asked for it.
+template <class Load> auto at_key(std::size_t object, const char *key, const Load &load) {
+    try {
+        return load();
+    } catch (const InputError &error) {
+        throw InputError("objects[" + std::to_string(object) + "]." + key + ": " + error.what());
+    }
+}
+
 template <class Entries, class Key> auto find_entry(const Entries &entries, const Key &key) {
     return std::ranges::find(
         entries, key, [](const auto &entry) -> const auto & { return entry.first; });
@@ -56,13 +65,14 @@ std::vector<ObjectResources> Resources::load(const Scene &scene) {
     decltype(meshes_) meshes;
     decltype(textures_) textures;
     std::vector<ObjectResources> out;
-    for (const Object &object : scene.objects) {
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const Object &object = scene.objects[i];
         ObjectResources resources;
         auto mesh = find_entry(meshes, object.mesh);
         if (mesh == meshes.end()) {
             auto kept = kept_mesh(object.mesh);
-            meshes.emplace_back(object.mesh,
-                                kept ? kept : std::make_shared<const Mesh>(load_mesh(assets_, object.mesh)));
+            const auto load = [&] { return std::make_shared<const Mesh>(load_mesh(assets_, object.mesh)); };
+            meshes.emplace_back(object.mesh, kept ? kept : at_key(i, "mesh.obj", load));
             mesh = std::prev(meshes.end());
         }
         resources.mesh = mesh->second;
@@ -71,9 +81,11 @@ std::vector<ObjectResources> Resources::load(const Scene &scene) {
             auto &texture = textures[name];
             if (!texture) {
                 const auto kept = textures_.find(name);
-                texture = kept != textures_.end() ? kept->second
-                                                  : std::make_shared<const Image>(decode_image(
-                                                        read_named(assets_, name, "textures/", "texture"), name));
+                const auto load = [&] {
+                    return std::make_shared<const Image>(
+                        decode_image(read_named(assets_, name, "textures/", "texture"), name));
+                };
+                texture = kept != textures_.end() ? kept->second : at_key(i, "material.texture", load);
             }
             resources.texture = texture;
         }

@@ -112,7 +112,10 @@ Json parse_json(std::string_view text, std::string_view name) {
     try {
         return Json::parse(text, follow);
     } catch (const Json::parse_error &error) {
-        throw InputError(file + ":" + line_and_column(text, error.byte) + ": " + plain_message(error.what()));
+        const std::string message = plain_message(error.what());
+        const bool no_literal = message.find("invalid literal") != std::string::npos;
+        throw InputError(file + ":" + line_and_column(text, error.byte) + ": " + message +
+                         (no_literal ? "; expected a finite number, a string, true or false (JSON has no NaN)" : ""));
     } catch (const Json::exception &error) { // a number such as 1e999
         tracker.count_element();
         throw InputError(file + ": " + tracker.path() + ": expected a finite number: " + plain_message(error.what()));

@@ -42,6 +42,17 @@ TEST(Resources, AreDroppedWhenNoLongerUsed) {
     EXPECT_TRUE(mesh.expired());
 }
 
+TEST(Resources, TakingTurnsBuildsNothingAnewWhileSomeoneHoldsTheMeshes) {
+    Resources resources(Assets("assets"));
+    const Scene ball = scene_of({object(SphereShape{})});
+    const Scene box = scene_of({object(BoxShape{})});
+    const auto held = resources.load(ball);
+    resources.load(box);
+    EXPECT_EQ(resources.load(ball)[0].mesh, held[0].mesh);
+    resources.load(box);
+    EXPECT_EQ(resources.load(ball)[0].mesh, held[0].mesh);
+}
+
 TEST(Resources, AFailedLoadChangesNothing) {
     Resources resources(Assets("assets"));
     const Scene good = scene_of({object(SphereShape{}, "wood.png")});
@@ -58,12 +69,15 @@ TEST(Resources, NameWhatIsMissingAndWhatThereIs) {
     Resources resources(Assets("assets"));
     EXPECT_EQ(
         error_of([&] { resources.load(scene_of({object(BoxShape{}, "woood.png")})); }),
-        "woood.png: no such texture; looked for it beside the scene file and among the built-in ones (bricks.png, "
+        "objects[0].material.texture: woood.png: no such texture; looked for it beside the scene file and among the built-in ones (bricks.png, "
         "checker.png, marble.png, tiles.png, wood.png)");
-    EXPECT_EQ(error_of([&] { resources.load(scene_of({object(ObjShape{"vaze.obj"})})); }),
-              "vaze.obj: no such model; looked for it beside the scene file and among the built-in ones (vase.obj)");
+    const std::string no_model = error_of([&] { resources.load(scene_of({object(ObjShape{"vaze.obj"})})); });
+    EXPECT_TRUE(no_model.starts_with("objects[0].mesh.obj: vaze.obj: no such model; looked for it beside the scene file "
+                                     "and among the built-in ones ("))
+        << no_model;
+    EXPECT_NE(no_model.find("vase.obj"), std::string::npos);
     EXPECT_EQ(error_of([&] { resources.load(scene_of({object(ObjShape{"/no/such.obj"})})); }),
-              "/no/such.obj: cannot read the file (No such file or directory)");
+              "objects[0].mesh.obj: /no/such.obj: cannot read the file (No such file or directory)");
 }
 
 TEST(Assets, InsideTheExecutableAreThoseOnDisk) {
