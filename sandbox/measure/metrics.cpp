@@ -58,6 +58,7 @@ void require_alike(const Reading &left, const Reading &right) {
 /// Gathers differences; a channel each.
 class Differences {
   public:
+    explicit Differences(std::size_t pixels) { values_.reserve(3 * pixels); }
     void add(const glm::dvec3 &difference) {
         for (int channel = 0; channel < 3; ++channel) {
             values_.push_back(std::abs(difference[channel]));
@@ -95,6 +96,7 @@ constexpr Norms not_finite{infinite, infinite, infinite, infinite};
 /// Which pixels are compared, and the counts of the rest.
 std::vector<std::size_t> compared_pixels(const Reading &left, const Reading &right, Metrics &metrics) {
     std::vector<std::size_t> compared;
+    compared.reserve(left.pixels());
     for (std::size_t i = 0; i < left.pixels(); ++i) {
         if (!finite(left.color(i)) || !finite(right.color(i))) {
             ++metrics.nonfinite_pixels;
@@ -116,7 +118,7 @@ std::vector<std::size_t> compared_pixels(const Reading &left, const Reading &rig
 }
 
 Norms norms_of(const Reading &left, const Reading &right, const std::vector<std::size_t> &compared) {
-    Differences differences;
+    Differences differences(compared.size());
     for (const std::size_t i : compared) {
         differences.add(left.color(i) - right.color(i));
     }
@@ -162,8 +164,8 @@ Norms norms_between(const Reading &left, const Reading &right) {
 }
 
 Norms quantisation_of(const Frame &drawn) {
-    Differences differences;
     const Reading view(drawn);
+    Differences differences(view.pixels());
     for (std::size_t i = 0; i < view.pixels(); ++i) {
         if (!finite(view.color(i))) {
             return not_finite;
@@ -189,15 +191,17 @@ Metrics compare(const ReferenceFrame &left, const ReferenceFrame &right) {
 }
 
 ErrorSplit split_error(const Frame &drawn, const ReferenceFrame &technique, const ReferenceFrame &per_pixel,
-                       const ReferenceFrame *analytic) {
-    ErrorSplit split;
+                       const ReferenceFrame *analytic, const std::optional<Norms> &geometry) {
+    ErrorSplit split{{}, geometry, {}, {}};
     parallel_for(4, [&](std::size_t part) {
         switch (part) {
         case 0:
-            split.interpolation = norms_between(Reading(technique), Reading(per_pixel));
+            if (&technique != &per_pixel) {
+                split.interpolation = norms_between(Reading(technique), Reading(per_pixel));
+            }
             break;
         case 1:
-            if (analytic != nullptr) {
+            if (analytic != nullptr && !geometry) {
                 split.geometry = norms_between(Reading(per_pixel), Reading(*analytic));
             }
             break;

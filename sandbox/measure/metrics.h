@@ -50,7 +50,8 @@ struct ErrorSplit {
     Norms arithmetic;              ///< the float32 picture against the same technique in double
     Norms quantisation;            ///< the float32 picture, clamped to [0, 1], against its 8-bit levels
 };
+/// `geometry`, if given, is what an earlier call with the same last two pictures found, and is not found again.
 ErrorSplit split_error(const Frame &drawn, const ReferenceFrame &technique, const ReferenceFrame &per_pixel,
-                       const ReferenceFrame *analytic);
+                       const ReferenceFrame *analytic, const std::optional<Norms> &geometry = {});
 
 } // namespace sandbox

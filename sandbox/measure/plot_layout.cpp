@@ -42,6 +42,16 @@ class Axis {
         return scale_ == Scale::logarithmic ? decade_ticks() : even_ticks();
     }
 
+    [[nodiscard]] std::vector<PlotTick> ticks_at(const std::vector<double> &values) const {
+        std::vector<PlotTick> out;
+        for (const double value : values) {
+            if (holds(value)) {
+                out.push_back({place(value), label(value)});
+            }
+        }
+        return out;
+    }
+
   private:
     [[nodiscard]] double inner(double value) const { return scale_ == Scale::logarithmic ? std::log10(value) : value; }
     static std::string label(double value) {
@@ -133,7 +143,7 @@ PlotLayout lay_out(const PlotRequest &request) {
             layout.guides.push_back({y.place(guide.y), guide.label});
         }
     }
-    layout.x_ticks = x.ticks();
+    layout.x_ticks = request.x_marks.empty() ? x.ticks() : x.ticks_at(request.x_marks);
     layout.y_ticks = y.ticks();
     layout.front = staircase(layout.series, request.front);
     return layout;

@@ -106,10 +106,12 @@ Json run_json(const ReportRun &run) {
                 {"reference", m.seconds.reference},
                 {"metrics", m.seconds.metrics},
                 {"other", m.seconds.other}}}};
+    json["meshes"] = Json::array();
     for (const PlannedMesh &mesh : m.meshes) {
         json["meshes"].push_back(
             {{"rings", mesh.rings}, {"own", mesh.own}, {"ladder", mesh.ladder}, {"triangles", mesh.triangles}});
     }
+    json["rows"] = Json::array();
     for (const MeasuredRow &row : m.rows) {
         json["rows"].push_back(report_parts::row_json(row, m.meshes));
     }

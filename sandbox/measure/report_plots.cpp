@@ -58,6 +58,13 @@ PlotRequest ladder_plot(const WorkPrecision &m, Model model) {
     PlotRequest plot;
     plot.title = std::string(name_of(model)) + ": RMSE, rung by rung";
     plot.x_label = "rings";
+    plot.width = 360;
+    plot.height = 320;
+    for (const PlannedMesh &mesh : m.meshes) {
+        if (mesh.ladder) {
+            plot.x_marks.push_back(mesh.rings);
+        }
+    }
     plot.y_label = "root mean square error";
     for (std::size_t f = 0; f < std::size(frequencies); ++f) {
         PlotSeries series{std::string(name_of(frequencies[f])), static_cast<int>(f), {}};
@@ -85,7 +92,7 @@ std::string ladder_plots(const ReportRun &run) {
     for (const Model model : models) {
         body += "<div>" + plot_svg(ladder_plot(m, model), [&](std::size_t i) { return tip(m, i); }) + "</div>\n";
     }
-    return "<div class=\"plots three\">" + body + "</div>\n";
+    return legend_html(frequency_names(), false) + "<div class=\"plots three\">" + body + "</div>\n";
 }
 
 std::string pictures(const ReportRun &run) {

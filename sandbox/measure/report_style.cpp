@@ -64,7 +64,7 @@ svg .dot { fill: var(--c); stroke: var(--card); stroke-width: 0.8; }
 .legend svg { width: 30px; height: 12px; }
 .legend i { width: 14px; height: 12px; border-radius: 2px; }
 .scroll { overflow-x: auto; margin: 12px 0; }
-table { border-collapse: collapse; font-size: 0.9rem; font-variant-numeric: tabular-nums; min-width: 60%; }
+table { border-collapse: collapse; font-size: 0.9rem; font-variant-numeric: tabular-nums; width: 100%; }
 caption { text-align: left; font-weight: 600; padding: 6px 0; }
 th { text-align: left; color: var(--muted); font-weight: 600; border-bottom: 2px solid var(--rule);
   padding: 5px 12px 5px 0; vertical-align: bottom; }
@@ -75,11 +75,12 @@ td.q, span.q { color: var(--muted); }
 td.unsettled { color: var(--muted); font-style: italic; }
 td.good { font-weight: 600; color: var(--accent); }
 td.bad { color: var(--warn); font-weight: 600; }
-.rows table { font-size: 0.78rem; } .rows td, .rows th { padding-right: 9px; }
+.rows .scroll { width: min(97vw, 1440px); margin-left: calc(50% - min(48.5vw, 720px)); }
+.rows table { font-size: 0.76rem; } .rows td, .rows th { padding-right: 9px; }
 th[data-sort] button { all: unset; cursor: pointer; } th[data-sort] button:focus-visible { outline: 2px solid var(--accent); }
 th[aria-sort=ascending] button::after { content: " \2191"; } th[aria-sort=descending] button::after { content: " \2193"; }
 code { font: 0.94em ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monospace; overflow-wrap: anywhere; }
-td code { white-space: nowrap; }
+td code { white-space: nowrap; } .rows td code { font-size: 0.95em; }
 dl { display: grid; grid-template-columns: max-content 1fr; gap: 4px 20px; font-size: 0.94rem; }
 dt { color: var(--muted); } dd { margin: 0; }
 @media print {
@@ -90,7 +91,7 @@ dt { color: var(--muted); } dd { margin: 0; }
   body { font-size: 10.5pt; } main { max-width: none; padding: 0; }
   * { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
   h2, h3 { break-after: avoid; } figure, .card, .plots > div, tr, .legend { break-inside: avoid; }
-  .scroll { overflow: visible; } .rows table { font-size: 5.6pt; } .rows td, .rows th { padding: 1.5px 4px 1.5px 0; }
+  .scroll, .rows .scroll { overflow: visible; width: auto; margin-left: 0; } .rows table { font-size: 5.6pt; } .rows td, .rows th { padding: 1.5px 4px 1.5px 0; }
   .plots { grid-template-columns: repeat(2, 1fr); } .figures { grid-template-columns: repeat(3, 1fr); }
 }
 )";

@@ -124,13 +124,17 @@ class Measurement {
         const ReferenceFrame &per_pixel = reference(row.plan.mesh, truth_technique(model));
         const Stopwatch watch(result_.seconds.metrics);
         const ReferenceFrame &truth = truths_.at(model);
-        row.errors = RowErrors{compare(drawn, truth, Flip::without), split_error(drawn, technique, per_pixel, &truth)};
+        auto &geometry = geometry_[model];
+        row.errors =
+            RowErrors{compare(drawn, truth, Flip::without), split_error(drawn, technique, per_pixel, &truth, geometry)};
+        geometry = row.errors->split.geometry;
     }
 
     /// The double picture on a mesh; those of the last mesh are kept.
     const ReferenceFrame &reference(std::size_t mesh, const Technique &technique) {
         if (mesh != frames_mesh_) {
             frames_.clear();
+            geometry_.clear();
             frames_mesh_ = mesh;
         }
         auto &frame = frames_[to_string(as_referenced(technique))];
@@ -168,7 +172,8 @@ class Measurement {
     double share_ = 0;
     std::vector<Resourced> resources_; ///< by mesh
     std::map<Model, ReferenceFrame> truths_;
-    std::map<std::string, ReferenceFrame> frames_; ///< of frames_mesh_, by technique
+    std::map<std::string, ReferenceFrame> frames_;   ///< of frames_mesh_, by technique
+    std::map<Model, std::optional<Norms>> geometry_; ///< of frames_mesh_
     std::size_t frames_mesh_ = 0;
     std::vector<std::vector<double>> samples_; ///< by row
 };

@@ -1,5 +1,6 @@
 #include "measure/work_precision_findings.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -23,10 +24,7 @@ std::string error_words(double error, double base) {
         return error == 0 ? "no error at all" : "an error where there was none";
     }
     const double ratio = error / base;
-    if (std::abs(ratio - 1) < 0.02) {
-        return "the same error within 2 %";
-    }
-    return ratio > 1 ? two_digits(ratio) + " times the error" : two_digits(1 / ratio) + " times less error";
+    return std::abs(ratio - 1) < 0.02 ? "the same error within 2 %" : two_digits(ratio) + " times the error";
 }
 
 /// A difference counts where the middle half of the rounds agrees on its sign.
@@ -66,7 +64,9 @@ class Answers {
 
 std::vector<Claim> answer_claims(const WorkPrecision &measured) {
     Answers answers(measured);
-    for (const Model model : models_of(measured)) {
+    auto models = models_of(measured);
+    std::ranges::reverse(models); // the richest first
+    for (const Model model : models) {
         const Technique per_pixel{.frequency = Frequency::per_pixel, .model = model};
         const Technique per_vertex{.frequency = Frequency::per_vertex, .model = model};
         const Technique vectors{.frequency = Frequency::interpolated_vectors, .model = model};

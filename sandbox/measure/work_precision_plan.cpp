@@ -93,6 +93,9 @@ class Chosen {
     Chosen(const Scene &scene, std::vector<ObjectResources> resources)
         : scene_(scene), resources_(std::move(resources)) {}
 
+    [[nodiscard]] bool has(const Technique &technique) const {
+        return std::ranges::any_of(rows, [&](const auto &row) { return row.first == technique; });
+    }
     void add(const Technique &technique, RowGroup group) {
         if (why_refused(technique)) {
             return; // no such technique
@@ -117,7 +120,7 @@ class Chosen {
     std::vector<std::pair<Technique, std::vector<Features>>> taken_;
 };
 
-void for_frequencies_and_models(const std::function<void(Technique)> &visit) {
+void for_frequencies_and_models(const std::function<void(const Technique &)> &visit) {
     for (const Model model : models) {
         for (const Frequency frequency : frequencies) {
             Technique technique;
@@ -128,17 +131,18 @@ void for_frequencies_and_models(const std::function<void(Technique)> &visit) {
     }
 }
 
+/// Of the techniques that are there to be compared with.
 void add_variants(Chosen &chosen) {
-    for_frequencies_and_models([&](Technique t) {
-        t.program = Program::full;
-        chosen.add(t, RowGroup::full_program);
-    });
     for_frequencies_and_models([&](const Technique &t) {
+        if (!chosen.has(t)) {
+            return;
+        }
         const auto variant = [&](auto member, auto value, RowGroup group) {
             Technique changed = t;
             changed.*member = value;
             chosen.add(changed, group);
         };
+        variant(&Technique::program, Program::full, RowGroup::full_program);
         variant(&Technique::attenuation, AttenuationAt::interpolated, RowGroup::claim);
         variant(&Technique::attenuation, AttenuationAt::distance_interpolated, RowGroup::claim);
         if (t.model == Model::lambert || t.frequency == Frequency::flat) {
