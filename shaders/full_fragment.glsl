@@ -7,6 +7,10 @@ layout(location = 1) out uint id;
 
 uniform uint object_id;
 #endif
+#if deep
+uniform float depth_per_octave;
+uniform float depth_at_1;
+#endif
 
 #if fragment_lit
 uniform vec3 view_direction; // towards a viewer at infinity
@@ -86,5 +90,9 @@ void main()
     color = vec4(base * multiplied + specular + emission, 1.0);
 #if object_ids
     id = object_id;
+#endif
+#if deep
+    // Near and far are too far apart for z / w; gl_FragCoord.w is 1 / distance.
+    gl_FragDepth = depth_at_1 - depth_per_octave * log2(gl_FragCoord.w);
 #endif
 }

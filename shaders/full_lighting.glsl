@@ -12,7 +12,8 @@ struct Light {
     float linear;
     float quadratic;
     float cos_cutoff;
-    float cos_inner_cutoff;
+    float sin2_cutoff; // the square of its sine
+    float edge_sharpness; // 1 over the width of the edge, in cosines; 0: hard
     float exponent;
 };
 uniform Light lights[${full.lights}];
@@ -74,10 +75,11 @@ float phong(vec3 R, vec3 L, bool unit_vectors)
 float cone(Light light, vec3 L)
 {
     float c = dot(-L, light.direction);
-    float edge = light.cos_inner_cutoff > light.cos_cutoff
-        ? smoothstep(light.cos_cutoff, light.cos_inner_cutoff, c)
-        : (c < light.cos_cutoff ? 0.0 : 1.0);
-    vec3 sine = cross(L, light.direction);
+    vec3 sine = cross(L, light.direction); // its square is 1 - c^2
+    float inside = c > 0.5 ? (light.sin2_cutoff - dot(sine, sine)) / (c + light.cos_cutoff) : c - light.cos_cutoff;
+    float edge = light.edge_sharpness > 0.0
+        ? smoothstep(0.0, 1.0, inside * light.edge_sharpness)
+        : (inside < 0.0 ? 0.0 : 1.0);
     return edge * cosine_power(c, dot(sine, sine), light.exponent, true);
 }
 

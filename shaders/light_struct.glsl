@@ -32,7 +32,12 @@ struct ${light.struct} {
 #if light.cone
     float cos_cutoff;
 #endif
-#if light.soft_cone
+#if light.narrow_cone
+    float sin2_cutoff; // the square of the cutoff's sine
+#endif
+#if light.soft_cone && light.narrow_cone
+    float edge_sharpness; // 1 over the width of the edge, in cosines; 0: hard
+#elif light.soft_cone
     float cos_inner_cutoff;
 #endif
 #if light.exponent

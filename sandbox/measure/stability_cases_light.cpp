@@ -48,11 +48,12 @@ std::vector<StabilityCase> geometry_cases() {
         return cases.back();
     };
     add(straight_down({point_light({0, 0, 0})}), "light-on-the-surface", "One black or missing pixel under the light.",
-        "L = normalize(0) = NaN where the light touches the surface; L is N there.",
-        "a lamp dragged down to the floor").techniques = all_frequencies();
+        "L = normalize(0) = NaN where the light touches the surface; L is N there.", "a lamp dragged down to the floor")
+        .techniques = all_frequencies();
     add(floor_scene({point_light({0.5, 0, 0.5})}), "light-at-a-vertex",
-        "Per vertex, every triangle around one vertex is black.", "normalize(0) at that vertex; interpolation spreads it.",
-        "a light placed by snapping to the grid").techniques = all_frequencies();
+        "Per vertex, every triangle around one vertex is black.",
+        "normalize(0) at that vertex; interpolation spreads it.", "a light placed by snapping to the grid")
+        .techniques = all_frequencies();
     Scene inside = scene_of(SphereShape{}, {point_light({0, 0, 0})});
     inside.lights[0].position = {0.3, 0.2, 0.1};
     inside.lights[0].ambient = 0.2;
@@ -67,13 +68,13 @@ std::vector<StabilityCase> geometry_cases() {
     viewer.camera.target = {0, 0, 0.2};
     viewer.camera.near_plane = 1e-3;
     add(viewer, "eye-at-a-vertex", "A fan of black triangles around the eye.",
-        "V = normalize(eye - P) = normalize(0) at the vertex where the camera is.",
-        "a camera that walks along a mesh").techniques = all_frequencies();
+        "V = normalize(eye - P) = normalize(0) at the vertex where the camera is.", "a camera that walks along a mesh")
+        .techniques = all_frequencies();
     Scene opposite = straight_down({directional_light({0, -1, 0})});
     opposite.camera.position = {0, -4, 0};
     add(opposite, "light-behind-the-surface", "One bright or black pixel where light, surface and eye are in line.",
-        "H = normalize(L + V) = normalize(0) where L = -V; H is N there.",
-        "a window seen against the sun").techniques = all_frequencies();
+        "H = normalize(L + V) = normalize(0) where L = -V; H is N there.", "a window seen against the sun")
+        .techniques = all_frequencies();
     cases.back().scene.lights[0].ambient = 0.25;
     opposite.lights = {point_light({0, 4, 0})};
     add(opposite, "point-behind-the-surface", "One bright or black pixel where lamp, surface and eye are in line.",
@@ -81,7 +82,9 @@ std::vector<StabilityCase> geometry_cases() {
     const double grazing = 89.9999 * std::numbers::pi / 180;
     add(floor_scene({directional_light({std::sin(grazing), -std::cos(grazing), 0})}), "grazing-light",
         "The floor flickers between lit and dark.", "N.L = 2e-6 is within a few float32 roundings of 0.",
-        "sunset over a plain").scene.lights[0].ambient = 0.2;
+        "sunset over a plain")
+        .scene.lights[0]
+        .ambient = 0.2;
     Scene low = floor_scene({point_light({0, 1, -1})});
     low.camera.position = {0, 0.02, 2.5};
     low.camera.target = {0, 0, 0.5};
@@ -105,16 +108,16 @@ std::vector<StabilityCase> attenuation_cases() {
         cases.back().unit = ErrorUnit::brightest_value;
         return cases.back();
     };
-    const char *const floor_cause = "1 / (kq d^2) is infinite at d = 0, and infinity * 0 is NaN; the denominator has a floor of 1e-6.";
+    const char *const floor_cause =
+        "1 / (kq d^2) is infinite at d = 0, and infinity * 0 is NaN; the denominator has a floor of 1e-6.";
     add(straight_down({faded(point_light({0, 0, 0}), {0, 0, 1})}), "kc-0-on-the-surface",
         "A white or black pixel at the light.", floor_cause, "\"physically correct\" 1 / d^2, without the 1");
     add(straight_down({faded(point_light({0, 1e-4, 0}), {0, 1, 0})}), "kc-0-near-the-surface",
         "A spot of infinite brightness.", floor_cause, "linear attenuation alone");
     add(floor_scene({faded(point_light({0, 1, 0}), {0, 0, 1e9})}), "kq-1e9", "The picture is black, or NaN.",
         "Values of 1e-9 must survive; float32 has room for them.", "the slider at its end");
-    add(floor_scene({faded(point_light({0, 1, 0}), {0, 0, 1e-30})}), "coefficients-1e-30",
-        "The picture is infinite.", "1e-30 d^2 is below the denominator's floor: a = 1e6.",
-        "a light meant not to weaken at all, typed as 1e-30");
+    add(floor_scene({faded(point_light({0, 1, 0}), {0, 0, 1e-30})}), "coefficients-1e-30", "The picture is infinite.",
+        "1e-30 d^2 is below the denominator's floor: a = 1e6.", "a light meant not to weaken at all, typed as 1e-30");
     add(floor_scene({point_light({6e8, 6e8, 3e8})}), "light-1e9-away", "Nothing is lit, or bands appear.",
         "Squares of 1e9 need 1e18; differences of 1e9 lose everything below 64.", "the sun as a point light");
     add(floor_scene({faded(point_light({6e8, 6e8, 3e8}), {0, 0, 1})}), "light-1e9-away-faded",
@@ -148,7 +151,8 @@ std::vector<StabilityCase> spot_cases() {
         return light;
     };
     add(spot_light({0, 2, 0}, down, 0), "cutoff-0", "The whole floor is lit, or nothing ever is.",
-        "cos(0) = 1 and dot(L, D) rounds to 1 or above: a cone of no width must light nothing.", "the slider at its end");
+        "cos(0) = 1 and dot(L, D) rounds to 1 or above: a cone of no width must light nothing.",
+        "the slider at its end");
     add(spot_light({0, 2, 0}, {0, 0, -1}, 90), "cutoff-90", "A sliver of light behind the lamp.",
         "cos(90 degrees) in float32 is -4.4e-8.", "a lamp on a wall");
     add(soft(spot_light({0, 2, 0}, down, 180), 180, 100), "cutoff-180", "Darkness behind a lamp that has no cone.",
@@ -174,7 +178,7 @@ std::vector<StabilityCase> spot_cases() {
     cases.push_back(story("spot", "narrow-hard-cone", "The disc has a ragged edge or the wrong size.",
                           "cos(0.01 degrees) = 1 - 1.5e-8 is 1 in float32.", "a pin light"));
     cases.back().scene = straight_down({spot_light({0, 2, 0}, {0, -1, 0}, 0.01)});
-    cases.back().scene.camera.fov_y_degrees = 0.03;
+    cases.back().scene.camera.fov_y_degrees = 1;
     return cases;
 }
 

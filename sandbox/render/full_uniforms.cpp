@@ -16,13 +16,13 @@ void put_no_checker(Uploader &uploader) {
 }
 
 /// All lights that reach the object, in scene order of their kinds; the arrays' other elements are set to none.
-void put_full_lights(Uploader &uploader, const DrawInput &input) {
+void put_full_lights(Uploader &uploader, const DrawInput &input, double scale) {
     const ContributingLights lights = contributing_lights(input.scene, input.technique, input.object);
     int count = 0;
     for (const auto *indices : {&lights.directional, &lights.point, &lights.spot}) {
         for (const std::size_t i : *indices) {
             put_light(uploader, "lights[" + std::to_string(count++) + "]",
-                      light_values(input.scene.lights[i], input.scene, input.technique, input.object.material));
+                      light_values(input.scene.lights[i], input.scene, input.technique, input.object.material, scale));
         }
     }
     uploader.put("light_count", count);
@@ -31,14 +31,14 @@ void put_full_lights(Uploader &uploader, const DrawInput &input) {
 
 } // namespace
 
-void put_full_uniforms(Uploader &uploader, const DrawInput &input) {
+void put_full_uniforms(Uploader &uploader, const DrawInput &input, double scale) {
     const Technique &technique = input.technique;
     const Material &material = input.object.material;
-    put_full_lights(uploader, input);
+    put_full_lights(uploader, input, scale);
     uploader.put("ambient", glm::vec3(constant_ambient_light(input.scene, technique, material)));
     uploader.put("model_kind", static_cast<int>(technique.model));
     uploader.put("gate", static_cast<int>(technique.gate));
-    uploader.put("normal_transform", static_cast<int>(normal_transform(technique, input.object)));
+    uploader.put("normal_transform", static_cast<int>(scaled(normal_transform(technique, input.object), scale)));
     uploader.put("renormalize", technique.renormalize == Renormalize::on ? 1 : 0);
     uploader.put("viewer_infinite", technique.viewer == Viewer::infinite ? 1 : 0);
     uploader.put("half_vector_constant", technique.half_vector == HalfVector::constant ? 1 : 0);

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace sandbox {
@@ -14,6 +15,12 @@ namespace {
 glm::dvec3 unit(const glm::dvec3 &v) {
     const double length = glm::length(v);
     return length > 0 ? v / length : glm::dvec3(0);
+}
+
+/// The same attenuation per scaled length, within float32 (beyond it nothing is lit).
+Attenuation scaled(const Attenuation &a, double scale) {
+    constexpr double most = 3e38;
+    return {a.constant, std::min(a.linear / scale, most), std::min(a.quadratic / scale / scale, most)};
 }
 
 /// The cosine of an angle in degrees, exactly 0 at 90.
@@ -29,11 +36,12 @@ glm::dvec3 scene_half_vector(const Light &light, const Scene &scene) {
 
 } // namespace
 
-LightValues light_values(const Light &light, const Scene &scene, const Technique &technique, const Material &material) {
+LightValues light_values(const Light &light, const Scene &scene, const Technique &technique, const Material &material,
+                         double scale) {
     LightValues values;
     const bool cone = light.type == LightType::spot && light.cutoff_degrees != 180;
     values.type = light.type == LightType::directional ? 0 : (cone ? 2 : 1);
-    values.position = light.position - scene.camera.position;
+    values.position = (light.position - scene.camera.position) * scale;
     values.direction = unit(light.direction);
     if (ambient_with_light(light, technique)) {
         (light.attenuate_ambient && fades(light) ? values.attenuated_ambient : values.ambient) =
@@ -43,10 +51,14 @@ LightValues light_values(const Light &light, const Scene &scene, const Technique
     values.specular = technique.model == Model::lambert ? glm::dvec3(0)
                                                         : material.specular * light.color * light.specular;
     values.half_vector = scene_half_vector(light, scene);
-    values.attenuation = light.attenuation;
+    values.attenuation = scaled(light.attenuation, scale);
     if (cone) {
         values.cos_cutoff = cos_degrees(light.cutoff_degrees);
         values.cos_inner_cutoff = cos_degrees(light.inner_cutoff_degrees);
+        const double sine = std::sin(glm::radians(light.cutoff_degrees));
+        values.sin2_cutoff = sine * sine;
+        const double edge = values.cos_inner_cutoff - values.cos_cutoff;
+        values.edge_sharpness = edge > 0 ? 1 / edge : 0;
         values.exponent = light.exponent;
     }
     return values;

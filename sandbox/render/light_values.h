@@ -15,10 +15,14 @@ struct LightValues {
     Attenuation attenuation;
     double cos_cutoff = -2; ///< below every cosine: no cone
     double cos_inner_cutoff = -2;
+    double sin2_cutoff = 1;    ///< the square of the cutoff's sine
+    double edge_sharpness = 0; ///< 1 / (cos_inner_cutoff - cos_cutoff); 0: a hard edge
     double exponent = 0;
 };
 
-LightValues light_values(const Light &light, const Scene &scene, const Technique &technique, const Material &material);
+/// `scale` multiplies every length (see Placing).
+LightValues light_values(const Light &light, const Scene &scene, const Technique &technique, const Material &material,
+                         double scale = 1);
 
 /// material.ambient * (scene.ambient + every light's ambient that needs neither position nor facing).
 glm::dvec3 constant_ambient_light(const Scene &scene, const Technique &technique, const Material &material);

@@ -68,7 +68,7 @@ void MeshBuffers::upload(Arrangement &a, const VertexLayout &layout) const {
     if (a.positions.id() == 0) {
         a.count = static_cast<int>(mesh.triangles.size() * 3);
         a.positions = make_attribute<glm::vec3>(
-            mesh, flat, [&](const glm::uvec3 &, unsigned vertex) { return mesh.positions[vertex]; });
+            mesh, flat, [&](const glm::uvec3 &, unsigned vertex) { return mesh.positions[vertex] - origin_; });
         if (!flat) {
             a.indices = make_filled(GL_ELEMENT_ARRAY_BUFFER, mesh.triangles);
         }
@@ -85,7 +85,7 @@ void MeshBuffers::upload(Arrangement &a, const VertexLayout &layout) const {
     }
     if (layout.centroid && a.centroids.id() == 0) {
         a.centroids = make_attribute<glm::vec3>(mesh, flat, [&](const glm::uvec3 &t, unsigned) {
-            return (mesh.positions[t.x] + mesh.positions[t.y] + mesh.positions[t.z]) / 3.0;
+            return (mesh.positions[t.x] + mesh.positions[t.y] + mesh.positions[t.z]) / 3.0 - origin_;
         });
     }
 }

@@ -18,7 +18,8 @@ struct VertexLayout {
 /// A mesh on the GPU: a buffer for each attribute, made when a program first reads it.
 class MeshBuffers {
   public:
-    explicit MeshBuffers(std::shared_ptr<const Mesh> mesh) : mesh_(std::move(mesh)) {}
+    /// Positions are uploaded less `origin`.
+    MeshBuffers(std::shared_ptr<const Mesh> mesh, const glm::dvec3 &origin) : mesh_(std::move(mesh)), origin_(origin) {}
     /// Draws all triangles with the program and framebuffer in use.
     void draw(const VertexLayout &layout);
 
@@ -31,6 +32,7 @@ class MeshBuffers {
     VertexArray make_array(const VertexLayout &layout);
 
     std::shared_ptr<const Mesh> mesh_;
+    glm::dvec3 origin_;
     Arrangement shared_, flat_;
     std::map<VertexLayout, VertexArray> arrays_;
 };

@@ -1,6 +1,7 @@
 #include "render/renderer.h"
 
 #include "render/mesh_buffers.h"
+#include "render/placing.h"
 #include "render/program_cache.h"
 #include "render/uniforms.h"
 #include "render/visibility.h"
@@ -71,8 +72,10 @@ struct Renderer::Impl {
     Impl(Assets assets, ShaderParts shader_parts)
         : resources(std::move(assets)), parts(std::move(shader_parts)), programs(parts) {}
 
-    MeshBuffers &buffers(const std::shared_ptr<const Mesh> &mesh) {
-        return meshes.try_emplace(mesh, mesh).first->second;
+    MeshBuffers &buffers(const Object &object, const std::shared_ptr<const Mesh> &mesh) {
+        const glm::dvec3 origin = buffer_origin(object, *mesh);
+        auto &kept = origin == glm::dvec3(0) ? meshes : centred_meshes;
+        return kept.try_emplace(mesh, mesh, origin).first->second;
     }
     unsigned texture(const std::shared_ptr<const Image> &image) {
         auto found = textures.find(image);
@@ -84,6 +87,7 @@ struct Renderer::Impl {
     /// Frees what only this cache still holds.
     void forget_unused() {
         std::erase_if(meshes, [](const auto &entry) { return entry.first.use_count() <= 2; });
+        std::erase_if(centred_meshes, [](const auto &entry) { return entry.first.use_count() <= 2; });
         std::erase_if(textures, [](const auto &entry) { return entry.first.use_count() <= 1; });
     }
 
@@ -99,13 +103,13 @@ struct Renderer::Impl {
             glBindTexture(GL_TEXTURE_2D, texture(own.texture));
         }
         set_culling(input.scene.camera, input.object, *own.mesh, input.aspect);
-        buffers(own.mesh).draw(vertex_layout(features));
+        buffers(input.object, own.mesh).draw(vertex_layout(features));
     }
 
     Resources resources;
     ShaderParts parts;
     ProgramCache programs;
-    std::map<std::shared_ptr<const Mesh>, MeshBuffers> meshes;
+    std::map<std::shared_ptr<const Mesh>, MeshBuffers> meshes, centred_meshes;
     std::map<std::shared_ptr<const Image>, Texture> textures;
     std::unique_ptr<Target> own_target;
 };
@@ -157,8 +161,9 @@ void Renderer::draw_wireframe(const Scene &scene, Target &target, glm::vec3 colo
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object &object = scene.objects[i];
         set_culling(scene.camera, object, *resources[i].mesh, aspect_of(target));
-        program.set("model_view_projection", glm::mat4(model_view_projection(scene, object, aspect_of(target))));
-        impl_->buffers(resources[i].mesh).draw({});
+        const Placing placing = place_object(scene, object, *resources[i].mesh);
+        program.set("model_view_projection", glm::mat4(model_view_projection(scene, placing, aspect_of(target))));
+        impl_->buffers(object, resources[i].mesh).draw({});
     }
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glDisable(GL_POLYGON_OFFSET_LINE);

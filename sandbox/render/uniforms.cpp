@@ -2,23 +2,16 @@
 
 #include "render/full_uniforms.h"
 #include "render/light_values.h"
+#include "render/placing.h"
 #include "render/uploader.h"
 #include "scene/space.h"
 #include "shading/normal_matrix.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <cmath>
+
 namespace sandbox {
-namespace {
-
-/// World space moved so that the eye is the origin: what precision is left goes to what the eye is near.
-glm::dmat4 camera_relative_model(const Scene &scene, const Object &object) {
-    glm::dmat4 model(linear_part(object.transform));
-    model[3] = glm::dvec4(object.transform.translate - scene.camera.position, 1);
-    return model;
-}
-
-} // namespace
 
 void put_light(Uploader &uploader, const std::string &name, const LightValues &light) {
     uploader.put(name + ".position", glm::vec3(light.position));
@@ -33,6 +26,8 @@ void put_light(Uploader &uploader, const std::string &name, const LightValues &l
     uploader.put(name + ".quadratic", static_cast<float>(light.attenuation.quadratic));
     uploader.put(name + ".cos_cutoff", static_cast<float>(light.cos_cutoff));
     uploader.put(name + ".cos_inner_cutoff", static_cast<float>(light.cos_inner_cutoff));
+    uploader.put(name + ".sin2_cutoff", static_cast<float>(light.sin2_cutoff));
+    uploader.put(name + ".edge_sharpness", static_cast<float>(light.edge_sharpness));
     uploader.put(name + ".exponent", static_cast<float>(light.exponent));
     uploader.put(name + ".type", light.type);
 }
@@ -40,12 +35,12 @@ void put_light(Uploader &uploader, const std::string &name, const LightValues &l
 namespace {
 
 void put_lights(Uploader &uploader, const DrawInput &input, const std::string &kind,
-                const std::vector<std::size_t> &indices) {
+                const std::vector<std::size_t> &indices, double scale) {
     for (std::size_t i = 0; i < indices.size(); ++i) {
         const std::string name =
             indices.size() == 1 ? "the_" + kind + "_light" : kind + "_lights[" + std::to_string(i) + "]";
-        put_light(uploader, name,
-                  light_values(input.scene.lights[indices[i]], input.scene, input.technique, input.object.material));
+        put_light(uploader, name, light_values(input.scene.lights[indices[i]], input.scene, input.technique,
+                                               input.object.material, scale));
     }
 }
 
@@ -56,20 +51,25 @@ void put_checker(Uploader &uploader, const Checker &checker, const Mesh &mesh) {
     uploader.put("checker_half_cells", static_cast<float>(checker.cells / 2.0));
 }
 
-} // namespace
-
-glm::dmat4 model_view_projection(const Scene &scene, const Object &object, double aspect) {
-    return view_projection(scene.camera, aspect) * camera_relative_model(scene, object);
+/// Window depth as the logarithm of the distance along the view, 0 at near and 1 at far.
+void put_depth(Uploader &uploader, const Camera &camera, double scale) {
+    const double per_octave = 1 / std::log2(camera.far_plane / camera.near_plane);
+    uploader.put("depth_per_octave", static_cast<float>(per_octave));
+    uploader.put("depth_at_1", static_cast<float>(-std::log2(camera.near_plane * scale) * per_octave));
 }
+
+} // namespace
 
 void upload_uniforms(const GlProgram &program, const DrawInput &input) {
     Uploader uploader(program);
     const Scene &scene = input.scene;
     const Material &material = input.object.material;
-    uploader.put("model_view_projection", glm::mat4(model_view_projection(scene, input.object, input.aspect)));
-    uploader.put("model", glm::mat4(camera_relative_model(scene, input.object)));
+    const Placing placing = place_object(scene, input.object, input.mesh);
+    uploader.put("model_view_projection", glm::mat4(model_view_projection(scene, placing, input.aspect)));
+    uploader.put("model", glm::mat4(placing.model));
+    put_depth(uploader, scene.camera, placing.scale);
     uploader.put("normal_matrix", glm::mat3(normal_matrix(linear_part(input.object.transform))));
-    uploader.put("eye", glm::vec3(scene.camera.position));
+    uploader.put("eye", glm::vec3(placing.eye));
     uploader.put("view_direction", glm::vec3(-camera_axes(scene.camera).forward));
     uploader.put("shininess", static_cast<float>(raised_exponent(scene, input.technique.model, material)));
     uploader.put("emission", glm::vec3(material.emission));
@@ -79,14 +79,14 @@ void upload_uniforms(const GlProgram &program, const DrawInput &input) {
         put_checker(uploader, *material.checker, input.mesh);
     }
     if (input.technique.program == Program::full) {
-        put_full_uniforms(uploader, input);
+        put_full_uniforms(uploader, input, placing.scale);
     } else {
         const glm::dvec3 emission = program.has("emission") ? glm::dvec3(0) : material.emission;
         uploader.put("ambient", glm::vec3(constant_ambient_light(scene, input.technique, material) + emission));
         const ContributingLights lights = contributing_lights(scene, input.technique, input.object);
-        put_lights(uploader, input, "directional", lights.directional);
-        put_lights(uploader, input, "point", lights.point);
-        put_lights(uploader, input, "spot", lights.spot);
+        put_lights(uploader, input, "directional", lights.directional, placing.scale);
+        put_lights(uploader, input, "point", lights.point, placing.scale);
+        put_lights(uploader, input, "spot", lights.spot, placing.scale);
     }
     uploader.require_all_set();
 }

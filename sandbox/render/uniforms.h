@@ -20,7 +20,4 @@ struct DrawInput {
 /// Sets every active uniform of `program`, which is in use. Throws std::logic_error if one stays unset.
 void upload_uniforms(const GlProgram &program, const DrawInput &input);
 
-/// clip = result * object position.
-glm::dmat4 model_view_projection(const Scene &scene, const Object &object, double aspect);
-
 } // namespace sandbox

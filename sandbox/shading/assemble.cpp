@@ -14,6 +14,7 @@ TemplateValues full_values(const Features &f, Stage stage) {
                     {"vectors", vectors},
                     {"vertex_lit", vertex_lit},
                     {"fragment_lit", !vertex_lit || hybrid},
+                    {"deep", f.deep},
                     {"object_ids", f.object_ids}};
     values.texts = {{"way", stage == Stage::vertex ? "out" : "in"},
                     {"flat", flat ? "flat " : ""},

@@ -2,12 +2,14 @@
 
 #include "scene/error.h"
 #include "scene/space.h"
+#include "shading/length_scale.h"
 #include "shading/needs.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
 
 namespace sandbox {
 namespace {
@@ -69,6 +71,13 @@ Exponent exponent_kind(const Technique &technique, double n) {
     return Exponent::textbook;
 }
 
+/// A float32 cosine errs by 6e-8: by more than 1e-4 of an edge or a cone this narrow.
+bool is_narrow(const Light &light) {
+    const double outer = std::cos(glm::radians(light.cutoff_degrees));
+    const double inner = std::cos(glm::radians(light.inner_cutoff_degrees));
+    return 1 - outer < 6e-4 || (light.inner_cutoff_degrees < light.cutoff_degrees && inner - outer < 6e-4);
+}
+
 void add_light(LightFeatures &f, const Light &light, const Technique &technique, const Material &material) {
     const Terms terms = terms_of(light, technique, material);
     f.count += 1;
@@ -86,6 +95,7 @@ void add_light(LightFeatures &f, const Light &light, const Technique &technique,
         return;
     }
     (light.inner_cutoff_degrees < light.cutoff_degrees ? f.soft_cone : f.hard_cone) = true;
+    f.narrow_cone |= is_narrow(light);
     (light.exponent != 0 ? f.exponent : f.no_exponent) = true;
     f.stable_exponent |= technique.power == Power::stable ||
                          (technique.power == Power::automatic && light.exponent >= stable_power_from);
@@ -117,25 +127,28 @@ bool constant_ambient(const Scene &scene, const Technique &technique, const Mate
     });
 }
 
+/// Is some ambient term evaluated with its light?
+bool lit_ambient(const Features &f) {
+    const auto any_of = [](const LightFeatures &light) { return light.ambient || light.attenuated_ambient; };
+    return any_of(f.directional) || any_of(f.point) || any_of(f.spot);
+}
+
 void derive_surface(Features &f, const Scene &scene, const Technique &technique, const Object &object,
                     const Mesh &mesh) {
     const Material &material = object.material;
-    const bool lit_ambient = f.directional.ambient || f.point.ambient || f.spot.ambient ||
-                             f.directional.attenuated_ambient || f.point.attenuated_ambient ||
-                             f.spot.attenuated_ambient;
     f.ambient = constant_ambient(scene, technique, material);
     f.base = material.checker ? Base::checker : (material.texture.empty() ? Base::none : Base::texture);
-    if (!f.ambient && !lit_ambient && !f.diffuse() && !(f.specular() && material.texture_modulates_specular)) {
+    if (!f.ambient && !lit_ambient(f) && !f.diffuse() && !(f.specular() && material.texture_modulates_specular)) {
         f.base = Base::none;
     }
     const bool emits = any(material.emission);
     f.emission = emits && f.base != Base::none;
     f.ambient |= emits && f.base == Base::none;
     f.base_times_specular = f.base != Base::none && f.specular() && material.texture_modulates_specular;
-    f.where_lit = technique.ambient == AmbientWhere::where_lit && lit_ambient;
+    f.where_lit = technique.ambient == AmbientWhere::where_lit && lit_ambient(f);
     f.normals = f.diffuse() || f.specular() || f.where_lit;
     if (f.normals) {
-        f.normal_transform = normal_transform(technique, object);
+        f.normal_transform = scaled(normal_transform(technique, object), length_scale(scene, object, mesh));
         f.two_sided = object.two_sided;
     }
     if (f.specular()) {
@@ -189,6 +202,9 @@ void simplify(Features &f, const Technique &technique) {
     if (f.frequency == Frequency::hybrid && !f.specular()) {
         f.frequency = Frequency::per_vertex;
     }
+    if (f.frequency == Frequency::hybrid && !f.diffuse() && !lit_ambient(f)) {
+        f.frequency = Frequency::per_pixel; // no light is left for the vertices
+    }
     f.viewer = needs_view(f) ? technique.viewer : Viewer::local;
     const bool positional = f.point.count + f.spot.count > 0;
     if (positional || (needs_view(f) && f.viewer == Viewer::local)) {
@@ -219,6 +235,10 @@ NormalTransform normal_transform(const Technique &technique, const Object &objec
     }
     const bool fault = technique.normals == Normals::model_matrix && !uniform;
     return fault ? NormalTransform::model_matrix : NormalTransform::normal_matrix;
+}
+
+NormalTransform scaled(NormalTransform transform, double length_scale) {
+    return transform == NormalTransform::rigid && length_scale != 1 ? NormalTransform::normal_matrix : transform;
 }
 
 bool fades(const Light &light) {
@@ -254,6 +274,7 @@ Features derive_features(const Scene &scene, const Technique &technique, const O
                          bool object_ids) {
     Features f;
     f.object_ids = object_ids;
+    f.deep = is_deep(scene.camera);
     f.frequency = technique.frequency;
     if (technique.program == Program::full) {
         f.program = Program::full;

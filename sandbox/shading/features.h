@@ -25,6 +25,7 @@ struct LightFeatures {
     bool floor = false;              ///< the denominator can fall below its floor
     bool on_surface = false;         ///< a light may lie on the surface: L = N where d = 0
     bool given_half_vector = false;  ///< one H per light, the same everywhere
+    bool narrow_cone = false;        ///< some cone or soft edge is too narrow for float32 cosines
     bool hard_cone = false;          ///< some cone has a hard edge
     bool soft_cone = false;          ///< some cone has an inner cone
     bool exponent = false;           ///< some spot exponent is not 0
@@ -61,6 +62,7 @@ struct Features {
     bool unnegated_diffuse = false;
     AttenuationAt attenuation = AttenuationAt::exact;
     bool two_sided = false;
+    bool deep = false; ///< depth is stored as a logarithm
     bool object_ids = false;
     auto operator<=>(const Features &) const = default;
 
@@ -85,6 +87,8 @@ Features derive_features(const Scene &scene, const Technique &technique, const O
                          bool object_ids = false);
 
 NormalTransform normal_transform(const Technique &technique, const Object &object);
+/// Where lengths are scaled (length_scale.h) the model matrix is no longer rigid.
+NormalTransform scaled(NormalTransform transform, double length_scale);
 
 /// Components of the varyings between the stages; more than 60 are refused.
 int varying_components(const Features &features);

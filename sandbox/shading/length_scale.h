@@ -1,0 +1,17 @@
+#pragma once
+
+#include "scene/mesh.h"
+#include "scene/scene.h"
+
+namespace sandbox {
+
+/// The power of two that every length of a draw is multiplied by, so that squares of lengths stay within float32: 1
+/// wherever they do anyhow, which is between 1e-16 and 1e16 world units from the eye.
+double length_scale(const Scene &scene, const Object &object, const Mesh &mesh);
+
+/// far / near from which a float32 depth buffer no longer tells surfaces apart by z / w (its step at `far` is then a
+/// tenth of the distance): the logarithm of the distance is stored instead.
+constexpr double deep_range = 1e6;
+bool is_deep(const Camera &camera);
+
+} // namespace sandbox
