@@ -64,6 +64,22 @@ TEST_F(Truth, PerPixelPicturesOfEveryScene) {
     }
 }
 
+/// The same technique in double on both sides. Where a vertex's colour is interpolated, a sliver of 0.1 pixel between a
+/// lit and an unlit vertex turns the rounding of a window coordinate (320 * 6e-8 pixels) into more: 5e-5 is allowed.
+TEST_F(Truth, OtherFrequenciesOfEveryScene) {
+    for (const std::string &name : builtin_scenes(Assets("assets"))) {
+        const Scene scene = open_scene(name, Assets("assets"));
+        for (const std::string model : {"/lambert", "/phong", "/blinn-phong"}) {
+            expect_within(scene, "flat" + model, picture_bound(scene, "flat" + model));
+            expect_within(scene, "per-vertex" + model, 3e-5 + picture_bound(scene, "per-vertex" + model));
+            expect_within(scene, "interpolated-vectors" + model, picture_bound(scene, "interpolated-vectors" + model));
+            if (model != "/lambert") {
+                expect_within(scene, "hybrid" + model, 3e-5 + picture_bound(scene, "hybrid" + model));
+            }
+        }
+    }
+}
+
 /// n = 1 is left to the scene that is written so and to flat faces: so wide a highlight lights the very rim of round
 /// objects, where llvmpipe's interpolated normals alone are off by 4e-5 (planes from the window's corner, in float32).
 TEST_F(Truth, ExponentsUpToTenThousand) {
