@@ -8,9 +8,11 @@
 #include "measure/report_pictures.h"
 
 #include <atomic>
+#include <chrono>
 #include <csignal>
 #include <ctime>
 #include <memory>
+#include <optional>
 
 namespace sandbox {
 namespace {
@@ -54,9 +56,8 @@ std::string utc_now() {
     return text;
 }
 
-ReportRun measure(const ReportFlags &flags, const CommonOptions &common) {
-    const PlanOptions options = plan_options(flags);
-    const Scene scene = open_scene(common, flags.scene, flags.view);
+ReportRun measure(const ReportFlags &flags, const CommonOptions &common, const PlanOptions &options,
+                  const Scene &scene) {
     DrawingSession session(common);
     Renderer &renderer = session.renderer();
     Target target(options.size);
@@ -89,6 +90,14 @@ ReportRun measure(const ReportFlags &flags, const CommonOptions &common) {
     return run;
 }
 
+void make_folder(const std::filesystem::path &folder) {
+    std::error_code failed;
+    std::filesystem::create_directories(folder, failed);
+    if (!std::filesystem::is_directory(folder)) {
+        throw InputError("--out: cannot make the folder '" + folder.string() + "'");
+    }
+}
+
 int run_report(const ReportFlags &flags, const CommonOptions &common) {
     if (flags.scene.empty() && flags.merge.empty()) {
         throw InputError("report: expected a SCENE, or --merge with the report.json of earlier runs");
@@ -99,13 +108,14 @@ int run_report(const ReportFlags &flags, const CommonOptions &common) {
             runs.push_back(std::move(run));
         }
     }
-    std::error_code failed;
-    std::filesystem::create_directories(flags.out, failed);
-    if (!std::filesystem::is_directory(flags.out)) {
-        throw InputError("--out: cannot make the folder '" + flags.out.string() + "'");
-    }
+    const PlanOptions options = plan_options(flags);
+    std::optional<Scene> scene;
     if (!flags.scene.empty()) {
-        runs.insert(runs.begin(), measure(flags, common));
+        scene = open_scene(common, flags.scene, flags.view);
+    }
+    make_folder(flags.out); // before the work, not after it
+    if (scene) {
+        runs.insert(runs.begin(), measure(flags, common, options, *scene));
     }
     write_output(flags.out / "report.json", report_json(runs));
     write_output(flags.out / "report.csv", report_csv(runs));

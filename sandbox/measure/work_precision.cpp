@@ -125,8 +125,15 @@ class Measurement {
         const Stopwatch watch(result_.seconds.metrics);
         const ReferenceFrame &truth = truths_.at(model);
         auto &geometry = geometry_[model];
-        row.errors =
-            RowErrors{compare(drawn, truth, Flip::without), split_error(drawn, technique, per_pixel, &truth, geometry)};
+        RowErrors errors;
+        parallel_for(2, [&](std::size_t part) {
+            if (part == 0) {
+                errors.total = compare(drawn, truth, Flip::without);
+            } else {
+                errors.split = split_error(drawn, technique, per_pixel, &truth, geometry);
+            }
+        });
+        row.errors = errors;
         geometry = row.errors->split.geometry;
     }
 

@@ -63,10 +63,13 @@ TEST_F(ReportGl, ARowThatNeedsTooManyVaryingsIsListedWithItsReason) {
     for (int i = 0; i < 9; ++i) {
         lights += std::string(i > 0 ? "," : "") + R"({"type": "point", "position": [1, 2, 3]})";
     }
-    folder.write("nine.json", R"({"lights": [)" + lights + R"(], "objects": [{"mesh": {"shape": "sphere"}}]})");
+    folder.write("one.obj", "v -1 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"); // a mesh from a file has no ladder and no surface
+    folder.write("nine.json", R"({"lights": [)" + lights + R"(], "objects": [{"mesh": {"obj": "one.obj"}}]})");
     const ProcessResult result = run_sandbox({"report", folder.file("nine.json"), "--out", folder.file("nine"),
                                               "--quick", "--size", "32x24", "--repeats", "1"});
     ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(json_of("nine")["runs"][0]["truth"], "finest mesh");
+    EXPECT_EQ(json_of("nine")["runs"][0]["meshes"].size(), 1U);
     const auto rows = json_of("nine")["runs"][0]["rows"];
     int refused = 0;
     for (const auto &row : rows) {
