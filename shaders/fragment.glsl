@@ -7,6 +7,11 @@ layout(location = 1) out uint id;
 
 uniform uint object_id;
 #endif
+#if wide
+uniform vec3 ray_corner; // where the picture's lower left corner looks, to a depth of 1
+uniform vec3 ray_right; // a pixel further
+uniform vec3 ray_up;
+#endif
 #if deep
 uniform float depth_per_octave;
 uniform float depth_at_1;
@@ -37,11 +42,16 @@ void main()
     vec3 N = v_normal; // Fault: interpolation left it shorter than 1.
 #endif
 #endif
+#if wide
+    vec3 P = (ray_corner + gl_FragCoord.x * ray_right + gl_FragCoord.y * ray_up) / gl_FragCoord.w; // interpolation over so wide a surface loses digits
+#endif
 #if fragment.V
 #if viewer_infinite
     vec3 V = view_direction; // Fault: the same for every point.
 #elif vectors
     vec3 V = normalize(v_view);
+#elif wide
+    vec3 V = normalize(-P);
 #else
     vec3 V = normalize(-v_position);
 #endif

@@ -7,6 +7,11 @@ layout(location = 1) out uint id;
 
 uniform uint object_id;
 #endif
+#if wide
+uniform vec3 ray_corner; // where the picture's lower left corner looks, to a depth of 1
+uniform vec3 ray_right; // a pixel further
+uniform vec3 ray_up;
+#endif
 #if deep
 uniform float depth_per_octave;
 uniform float depth_at_1;
@@ -70,8 +75,12 @@ void main()
     vec3 N = renormalize && v_normal != vec3(0.0) ? normalize(v_normal) : v_normal;
 #if vectors
     vec3 V = viewer_infinite ? view_direction : normalize(v_view);
+#elif wide
+    vec3 P = (ray_corner + gl_FragCoord.x * ray_right + gl_FragCoord.y * ray_up) / gl_FragCoord.w; // interpolation over so wide a surface loses digits
+    vec3 V = viewer_infinite ? view_direction : normalize(-P);
 #else
-    vec3 V = viewer_infinite ? view_direction : normalize(-v_position);
+    vec3 P = v_position;
+    vec3 V = viewer_infinite ? view_direction : normalize(-P);
 #endif
     N = two_sided && dot(N, V) < 0.0 ? -N : N;
 #endif
@@ -79,9 +88,9 @@ void main()
     add_all_vectors(N, V, multiplied, specular);
 #elif hybrid
     vec3 diffuse = vec3(0.0); // per vertex
-    add_all_lights(v_position, N, V, renormalize, diffuse, specular);
+    add_all_lights(P, N, V, renormalize, diffuse, specular);
 #elif fragment_lit
-    add_all_lights(v_position, N, V, renormalize, multiplied, specular);
+    add_all_lights(P, N, V, renormalize, multiplied, specular);
 #endif
     vec3 base = base_color();
 #if hybrid

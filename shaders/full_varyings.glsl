@@ -7,7 +7,7 @@ ${flat}${way} vec3 v_specular;
 #if fragment_lit
 ${way} vec3 v_normal;
 #endif
-#if fragment_lit && !vectors
+#if fragment_lit && !vectors && !wide
 ${way} vec3 v_position; // from the eye
 #endif
 #if vectors

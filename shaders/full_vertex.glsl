@@ -74,7 +74,7 @@ void main()
         v_distance[i] = 0.0;
     }
 #endif
-#if fragment_lit && !vectors
+#if fragment_lit && !vectors && !wide
     v_position = P;
 #endif
     v_object_position = a_position;

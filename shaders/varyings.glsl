@@ -4,7 +4,7 @@ ${flat}${way} vec3 v_light;
 #if vertex.separate_specular
 ${flat}${way} vec3 v_specular;
 #endif
-#if fragment.P
+#if fragment.P && !wide
 ${way} vec3 v_position; // from the eye
 #endif
 #if fragment.N

@@ -55,7 +55,7 @@ void main()
 #else
 #include "attenuation_vertex.glsl"
 #endif
-#if fragment.P
+#if fragment.P && !wide
     v_position = P;
 #endif
 #if vectors && fragment.V && !viewer_infinite

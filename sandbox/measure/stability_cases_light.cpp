@@ -179,6 +179,7 @@ std::vector<StabilityCase> spot_cases() {
                           "cos(0.01 degrees) = 1 - 1.5e-8 is 1 in float32.", "a pin light"));
     cases.back().scene = straight_down({spot_light({0, 2, 0}, {0, -1, 0}, 0.01)});
     cases.back().scene.camera.fov_y_degrees = 1;
+    cases.back().techniques = techniques({"per-pixel/blinn-phong", "per-pixel/blinn-phong:program=full"});
     return cases;
 }
 

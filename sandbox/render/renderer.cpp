@@ -102,7 +102,7 @@ struct Renderer::Impl {
             glActiveTexture(GL_TEXTURE0);
             glBindTexture(GL_TEXTURE_2D, texture(own.texture));
         }
-        set_culling(input.scene.camera, input.object, *own.mesh, input.aspect);
+        set_culling(input.scene.camera, input.object, *own.mesh, input.aspect());
         buffers(input.object, own.mesh).draw(vertex_layout(features));
     }
 
@@ -123,7 +123,7 @@ void Renderer::draw(const Scene &scene, const Technique &technique, Target &targ
     clear(scene, target);
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const DrawInput input{scene,           technique, scene.objects[i], *resources[i].mesh,
-                              aspect_of(target), static_cast<unsigned>(i + 1)};
+                              target.size(),   static_cast<unsigned>(i + 1)};
         impl_->draw_object(input, resources[i], target);
     }
     glDisable(GL_CULL_FACE);

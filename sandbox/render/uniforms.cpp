@@ -10,6 +10,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <cmath>
+#include <glm/trigonometric.hpp>
 
 namespace sandbox {
 
@@ -58,6 +59,17 @@ void put_depth(Uploader &uploader, const Camera &camera, double scale) {
     uploader.put("depth_at_1", static_cast<float>(-std::log2(camera.near_plane * scale) * per_octave));
 }
 
+/// From the eye through a pixel, as far as a depth of 1 along the view.
+void put_rays(Uploader &uploader, const DrawInput &input) {
+    const CameraAxes axes = camera_axes(input.scene.camera);
+    const double half_height = std::tan(glm::radians(input.scene.camera.fov_y_degrees) / 2);
+    const glm::dvec3 up = axes.up * half_height;
+    const glm::dvec3 right = axes.right * (half_height * input.aspect());
+    uploader.put("ray_corner", glm::vec3(axes.forward - right - up));
+    uploader.put("ray_right", glm::vec3(right * (2.0 / input.size.width)));
+    uploader.put("ray_up", glm::vec3(up * (2.0 / input.size.height)));
+}
+
 } // namespace
 
 void upload_uniforms(const GlProgram &program, const DrawInput &input) {
@@ -65,8 +77,9 @@ void upload_uniforms(const GlProgram &program, const DrawInput &input) {
     const Scene &scene = input.scene;
     const Material &material = input.object.material;
     const Placing placing = place_object(scene, input.object, input.mesh);
-    uploader.put("model_view_projection", glm::mat4(model_view_projection(scene, placing, input.aspect)));
+    uploader.put("model_view_projection", glm::mat4(model_view_projection(scene, placing, input.aspect())));
     uploader.put("model", glm::mat4(placing.model));
+    put_rays(uploader, input);
     put_depth(uploader, scene.camera, placing.scale);
     uploader.put("normal_matrix", glm::mat3(normal_matrix(linear_part(input.object.transform))));
     uploader.put("eye", glm::vec3(placing.eye));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "image/image.h"
 #include "render/gl_program.h"
 #include "scene/mesh.h"
 #include "scene/scene.h"
@@ -13,8 +14,10 @@ struct DrawInput {
     const Technique &technique;
     const Object &object;
     const Mesh &mesh;
-    double aspect;
+    Size size; ///< of the picture
     unsigned object_id; ///< index + 1
+
+    [[nodiscard]] double aspect() const { return static_cast<double>(size.width) / static_cast<double>(size.height); }
 };
 
 /// Sets every active uniform of `program`, which is in use. Throws std::logic_error if one stays unset.

@@ -15,6 +15,7 @@ TemplateValues full_values(const Features &f, Stage stage) {
                     {"vertex_lit", vertex_lit},
                     {"fragment_lit", !vertex_lit || hybrid},
                     {"deep", f.deep},
+                    {"wide", f.wide},
                     {"object_ids", f.object_ids}};
     values.texts = {{"way", stage == Stage::vertex ? "out" : "in"},
                     {"flat", flat ? "flat " : ""},

@@ -4,6 +4,7 @@
 #include "scene/space.h"
 #include "shading/length_scale.h"
 #include "shading/needs.h"
+#include "shading/needs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -275,6 +276,8 @@ Features derive_features(const Scene &scene, const Technique &technique, const O
     Features f;
     f.object_ids = object_ids;
     f.deep = is_deep(scene.camera);
+    const bool lights_pixels = technique.frequency == Frequency::per_pixel || technique.frequency == Frequency::hybrid;
+    f.wide = lights_pixels && technique.position == LightingPosition::world && is_wide(scene, object, mesh);
     f.frequency = technique.frequency;
     if (technique.program == Program::full) {
         f.program = Program::full;
@@ -288,6 +291,7 @@ Features derive_features(const Scene &scene, const Technique &technique, const O
     derive_surface(f, scene, technique, object, mesh);
     derive_half_vectors(f, technique);
     simplify(f, technique);
+    f.wide = f.wide && derive_needs(f).fragment.P;
     return f;
 }
 

@@ -62,6 +62,7 @@ struct Features {
     bool unnegated_diffuse = false;
     AttenuationAt attenuation = AttenuationAt::exact;
     bool two_sided = false;
+    bool wide = false; ///< positions are found from the pixel, not interpolated
     bool deep = false; ///< depth is stored as a logarithm
     bool object_ids = false;
     auto operator<=>(const Features &) const = default;

@@ -34,6 +34,16 @@ double length_scale(const Scene &scene, const Object &object, const Mesh &mesh) 
     return std::exp2(-std::nearbyint(0.5 * (std::log2(low) + std::log2(high))));
 }
 
+bool is_wide(const Scene &scene, const Object &object, const Mesh &mesh) {
+    const glm::dmat3 linear = linear_part(object.transform);
+    const glm::dvec3 half = 0.5 * (mesh.bounds.high - mesh.bounds.low);
+    const double radius =
+        half.x * glm::length(linear[0]) + half.y * glm::length(linear[1]) + half.z * glm::length(linear[2]);
+    const glm::dvec3 center = linear * (0.5 * (mesh.bounds.low + mesh.bounds.high)) + object.transform.translate;
+    const double distance = glm::length(center - scene.camera.position) - radius;
+    return radius > 1e4 * std::max(distance, scene.camera.near_plane);
+}
+
 bool is_deep(const Camera &camera) { return camera.far_plane >= deep_range * camera.near_plane; }
 
 } // namespace sandbox

@@ -14,4 +14,8 @@ double length_scale(const Scene &scene, const Object &object, const Mesh &mesh);
 constexpr double deep_range = 1e6;
 bool is_deep(const Camera &camera);
 
+/// Is the object so much larger than its distance (1e4 times) that positions interpolated over it lose the digits that
+/// count near the eye? They are found from the pixel and the depth instead.
+bool is_wide(const Scene &scene, const Object &object, const Mesh &mesh);
+
 } // namespace sandbox

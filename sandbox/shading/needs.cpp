@@ -78,7 +78,7 @@ void derive_stage(StageNeeds &stage, const Features &f, Stage which, bool vector
 void pass_on(ProgramNeeds &needs, const Features &f) {
     StageNeeds &vertex = needs.vertex;
     const StageNeeds &fragment = needs.fragment;
-    vertex.P |= fragment.P;
+    vertex.P |= fragment.P && !f.wide;
     vertex.N |= fragment.N;
     if (needs.vectors && fragment.V && f.viewer == Viewer::local) {
         vertex.V = true;
@@ -120,7 +120,7 @@ int varying_components(const Features &f) {
     }
     const ProgramNeeds needs = derive_needs(f);
     const StageNeeds &fragment = needs.fragment;
-    int vectors = int(needs.vertex.lit) + int(needs.vertex.separate_specular) + int(fragment.P) + int(fragment.N) +
+    int vectors = int(needs.vertex.lit) + int(needs.vertex.separate_specular) + int(fragment.P && !f.wide) + int(fragment.N) +
                   int(needs.vectors && fragment.V && f.viewer == Viewer::local) + int(f.base == Base::checker);
     int scalars = f.base == Base::texture ? 2 : 0;
     const auto add = [&](const LightNeeds &light, const LightFeatures &features) {

@@ -212,7 +212,7 @@ void add_stage(TemplateValues &values, const Features &f, const StageNeeds &stag
     const auto from_point = [](const LightNeeds &n) { return n.finds_L || n.finds_distance; };
     const bool uses_P = from_point(stage.directional) || from_point(stage.point) || from_point(stage.spot);
     const bool uses_V = stage.R || stage.directional.uses_V || stage.point.uses_V || stage.spot.uses_V;
-    add(uses_P, "vec3 P", name == "fragment" ? "v_position" : "P");
+    add(uses_P, "vec3 P", name == "fragment" && !f.wide ? "v_position" : "P");
     add(stage.N, "vec3 N", "N");
     add(uses_V, "vec3 V", "V");
     add(stage.separate_specular, "inout vec3 specular", name == "fragment" ? "specular" : "v_specular");
@@ -264,6 +264,7 @@ TemplateValues specialised_values(const Features &f, Stage which) {
              {"emission", f.emission},
              {"object_ids", f.object_ids},
              {"deep", f.deep},
+             {"wide", f.wide},
              {"rigid", f.normal_transform == NormalTransform::rigid},
              {"normal_matrix", f.normal_transform == NormalTransform::normal_matrix},
              {"model_matrix_normals", f.normal_transform == NormalTransform::model_matrix},
