@@ -42,10 +42,10 @@ struct ExponentCase {
     Exponent kind;
     float n;
 };
-const ExponentCase exponents[] = {{Exponent::one, 1},          {Exponent::textbook, 2},   {Exponent::textbook, 32},
-                                  {Exponent::textbook, 1023},  {Exponent::textbook, 1e5}, {Exponent::stable, 2},
-                                  {Exponent::stable, 32},      {Exponent::stable, 1023},  {Exponent::stable, 1024},
-                                  {Exponent::stable, 1e5},     {Exponent::stable, 1e7}};
+const ExponentCase exponents[] = {{Exponent::one, 1},         {Exponent::textbook, 2},   {Exponent::textbook, 32},
+                                  {Exponent::textbook, 1023}, {Exponent::textbook, 1e5}, {Exponent::stable, 2},
+                                  {Exponent::stable, 32},     {Exponent::stable, 1023},  {Exponent::stable, 1024},
+                                  {Exponent::stable, 1e5},    {Exponent::stable, 1e7}};
 
 Features highlight_features(Model model, Exponent kind) {
     Features features;
@@ -79,7 +79,8 @@ void probe_highlight(const std::string &name, Model model, const ExponentCase &c
     if (c.kind == Exponent::stable) {
         text += part_text("power_stable.glsl", features);
     }
-    const ShaderProbe probe(text + part_text(part, features), "vec3 N = in0.xyz; vec3 L = in1.xyz; vec3 V = in2.xyz;" + call);
+    const ShaderProbe probe(text + part_text(part, features),
+                            "vec3 N = in0.xyz; vec3 L = in1.xyz; vec3 V = in2.xyz;" + call);
     const std::vector<ProbeInput> inputs = highlight_vectors(4000, 11);
     const auto got = probe.run(inputs, [&](const GlProgram &program) { set_shininess(program, c.n); });
     const double n = static_cast<double>(c.n);

@@ -41,8 +41,8 @@ std::vector<ProbeInput> light_inputs(const Light &light, int count) {
         const glm::vec3 at = p + to_light;
         const glm::vec3 l = at == p ? n : glm::normalize(at - p);
         const float spread = std::pow(10.0F, -1.5F + 1.5F * random.number());
-        const glm::vec3 v = i % 3 == 0 ? random.direction()
-                                       : glm::normalize(2 * glm::dot(n, l) * n - l + spread * random.in_cube());
+        const glm::vec3 v =
+            i % 3 == 0 ? random.direction() : glm::normalize(2 * glm::dot(n, l) * n - l + spread * random.in_cube());
         glm::vec3 d = glm::normalize(-l + spread * random.in_cube());
         if (light.type == LightType::directional) {
             d = i % 4 == 0 ? -n : random.direction();
@@ -122,8 +122,7 @@ Twin twin_of(const Scene &scene, const Technique &technique, bool stable, const 
 void probe_light(const LightCase &c) {
     const Scene scene = scene_of(c);
     const Technique technique = parse_technique(c.technique);
-    const Features features =
-        derive_features(scene, technique, scene.objects[0], build_mesh(scene.objects[0].mesh));
+    const Features features = derive_features(scene, technique, scene.objects[0], build_mesh(scene.objects[0].mesh));
     const TemplateValues values = specialised_values(features, Stage::fragment);
     const std::string kind = c.light.type == LightType::directional ? "directional"
                              : features.spot.count > 0              ? "spot"
@@ -146,7 +145,8 @@ void probe_light(const LightCase &c) {
     // large are relative to it.
     const bool stable_highlight = features.exponent == Exponent::stable;
     const double n = std::max(stable_highlight ? 0 : c.shininess, features.spot.stable_exponent ? 0 : c.light.exponent);
-    const double stiff = std::max(stable_highlight ? c.shininess : 0, features.spot.stable_exponent ? c.light.exponent : 0);
+    const double stiff =
+        std::max(stable_highlight ? c.shininess : 0, features.spot.stable_exponent ? c.light.exponent : 0);
     ProbeTable table(c.name, textbook_bound(n) + (stiff > 0 ? stable_bound(stiff) : 0));
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         const Twin twin = twin_of(scene, technique, stiff > 0, inputs[i]);

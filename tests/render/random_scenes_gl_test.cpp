@@ -21,10 +21,11 @@ constexpr unsigned techniques_a_scene = 4;
 double textbook_exponent(const Scene &scene, const Technique &technique) {
     double n = 0;
     for (const Object &object : scene.objects) {
-        const double raised = technique.model == Model::lambert ? 0 : raised_exponent(scene, technique.model, object.material);
-        const bool stable = technique.renormalize == Renormalize::on &&
-                            (technique.power == Power::stable ||
-                             (technique.power == Power::automatic && raised >= stable_power_from));
+        const double raised =
+            technique.model == Model::lambert ? 0 : raised_exponent(scene, technique.model, object.material);
+        const bool stable =
+            technique.renormalize == Renormalize::on &&
+            (technique.power == Power::stable || (technique.power == Power::automatic && raised >= stable_power_from));
         n = std::max(n, stable ? 0 : raised);
     }
     return n;

@@ -19,8 +19,9 @@ constexpr int texels = static_cast<int>(ProbeInput{}.size());
 
 ProgramSource probe_source(const std::string &declarations, const std::string &body) {
     const ShaderParts parts(Assets("shaders"));
-    std::string text = "#version 330 core\nlayout(location = 0) out vec4 probe_result;\nuniform sampler2D probe_inputs;\n" +
-                       declarations + "\nvoid main()\n{\n";
+    std::string text =
+        "#version 330 core\nlayout(location = 0) out vec4 probe_result;\nuniform sampler2D probe_inputs;\n" +
+        declarations + "\nvoid main()\n{\n";
     for (int i = 0; i < texels; ++i) {
         const std::string k = std::to_string(i);
         text += "    vec4 in" + k + " = texelFetch(probe_inputs, ivec2(gl_FragCoord.xy) * ivec2(" +
@@ -104,7 +105,14 @@ std::string lines_between(const std::string &text, const std::string &from, cons
     return text.substr(begin + 1, end - begin);
 }
 
-ProbeTable::ProbeTable(std::string name, double bound) : name_(std::move(name)), bound_(bound) {}
+ProbeTable::ProbeTable(std::string name, double bound) : name_(std::move(name)), bound_(bound) {
+    static bool begun = false;
+    if (!begun) {
+        std::printf("| %-46s | %7s | %6s | %9s | %9s | %9s | where, if close to the bound\n", "function", "values",
+                    "undec.", "absolute", "relative", "bound");
+        begun = true;
+    }
+}
 
 ProbeTable::~ProbeTable() {
     std::printf("| %-46s | %7zu | %6zu | %9.2e | %9.2e | %9.2e |%s\n", name_.c_str(), compared_, undecided_, absolute_,

@@ -24,9 +24,10 @@ class Truth : public GlTest {
     /// `bound` is of the largest difference.
     void expect_within(const Scene &scene, const std::string &technique, double bound) {
         const Metrics metrics = compare_with_truth(scene, technique);
-        const std::size_t shown = metrics.compared_pixels + metrics.silhouette_pixels + metrics.edge_pixels +
-                                  metrics.jump_pixels;
-        std::printf("%-28s %-44s %9.2e of %9.2e\n", scene.name.c_str(), technique.c_str(), metrics.norms.max_abs, bound);
+        const std::size_t shown =
+            metrics.compared_pixels + metrics.silhouette_pixels + metrics.edge_pixels + metrics.jump_pixels;
+        std::printf("%-28s %-44s %9.2e of %9.2e\n", scene.name.c_str(), technique.c_str(), metrics.norms.max_abs,
+                    bound);
         EXPECT_EQ(metrics.nonfinite_pixels, 0U) << scene.name << ' ' << technique;
         EXPECT_LE(metrics.norms.max_abs, bound) << scene.name << ' ' << technique;
         EXPECT_LT(static_cast<double>(metrics.silhouette_pixels), 0.005 * static_cast<double>(shown))

@@ -117,8 +117,8 @@ Scene random_scene(unsigned seed) {
         scene.lights.push_back(random_light(dice));
     }
     for (int i = dice.below(3); i >= 0; --i) {
-        Object object{"object " + std::to_string(i), random_shape(dice), random_transform(dice),
-                      random_material(dice), dice.one_in(3)};
+        Object object{"object " + std::to_string(i), random_shape(dice), random_transform(dice), random_material(dice),
+                      dice.one_in(3)};
         scene.objects.push_back(object);
     }
     return scene;
