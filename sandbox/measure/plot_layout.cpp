@@ -56,18 +56,23 @@ class Axis {
     [[nodiscard]] double inner(double value) const { return scale_ == Scale::logarithmic ? std::log10(value) : value; }
     static std::string label(double value) {
         char text[32];
-        std::snprintf(text, sizeof text, "%g", value);
+        const int power = static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-9));
+        if (value != 0 && power < -3) {
+            std::snprintf(text, sizeof text, "%ge%d", std::round(value / std::pow(10.0, power)), power);
+        } else {
+            std::snprintf(text, sizeof text, "%g", value);
+        }
         return text;
     }
-    /// 1, 10, 100; over short spans 2 and 5 have labels too.
+    /// 1, 10, 100; over short spans 2 and 5 have labels too, over very short ones all.
     [[nodiscard]] std::vector<PlotTick> decade_ticks() const {
-        const bool short_span = high_ - low_ < 2;
+        const double span = high_ - low_;
         std::vector<PlotTick> out;
         for (int decade = static_cast<int>(std::floor(low_)); decade <= static_cast<int>(std::ceil(high_)); ++decade) {
             for (int digit = 1; digit < 10; ++digit) {
                 const double value = digit * std::pow(10.0, decade);
                 if (holds(value)) {
-                    const bool labelled = digit == 1 || (short_span && (digit == 2 || digit == 5));
+                    const bool labelled = digit == 1 || span < 0.6 || (span < 2 && (digit == 2 || digit == 5));
                     out.push_back({place(value), labelled ? label(value) : std::string()});
                 }
             }

@@ -11,7 +11,7 @@ std::string run_name(std::size_t i) { return "Run " + std::to_string(i + 1); }
 
 std::string runs_table(const std::vector<ReportRun> &runs) {
     HtmlTable table;
-    for (const char *head : {"run", "scene", "size", "renderer", "OpenGL", "processor", "version", "date"}) {
+    for (const char *head : {"run", "scene", "size", "renderer", "OpenGL", "processor", "build", "version", "date"}) {
         table.column(head, false);
     }
     for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -23,7 +23,10 @@ std::string runs_table(const std::vector<ReportRun> &runs) {
         table.text(std::to_string(size.width) + " &times; " + std::to_string(size.height));
         table.text(escaped(run.machine.renderer));
         table.text(escaped(run.machine.opengl));
-        table.text(escaped(run.machine.processor) + ", " + std::to_string(run.machine.threads) + " threads");
+        table.text(
+            escaped(run.machine.processor) + ", " + std::to_string(run.machine.threads) + " threads" +
+            (run.machine.llvmpipe_threads.empty() ? "" : ", LP_NUM_THREADS " + escaped(run.machine.llvmpipe_threads)));
+        table.text(escaped(run.machine.build));
         table.text(escaped(run.version));
         table.text(escaped(run.date));
     }
@@ -114,7 +117,7 @@ std::string comparison(const std::vector<ReportRun> &runs) {
            section("runs", "The runs", "Each has its own report below.", runs_table(runs)) +
            section("fronts", "What is cheapest in each", "For every run, the rows that no other beats in both.",
                    legend_html(names, false) + "<div class=\"plots\">" + plots + "</div>\n") +
-           section("rows", "Row by row", "Rows of the first run, and their twins in the others.", times_table(runs));
+           section("twins", "Row by row", "Rows of the first run, and their twins in the others.", times_table(runs));
 }
 
 } // namespace sandbox::report_page

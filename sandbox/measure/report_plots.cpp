@@ -43,6 +43,8 @@ PlotRequest plot_of(const WorkPrecision &m, Model model, ErrorNorm norm) {
                                          row.time->lower_quartile, row.time->upper_quartile, i});
             }
         }
+        std::ranges::stable_sort(
+            series.points, {}, [&](const PlotPoint &point) { return m.meshes[m.rows[point.tag].plan.mesh].triangles; });
         plot.series.push_back(std::move(series));
     }
     plot.front = pareto_front(m, model, norm);

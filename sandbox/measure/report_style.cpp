@@ -84,7 +84,7 @@ td code { white-space: nowrap; } .rows td code { font-size: 0.95em; }
 dl { display: grid; grid-template-columns: max-content 1fr; gap: 4px 20px; font-size: 0.94rem; }
 dt { color: var(--muted); } dd { margin: 0; }
 @media print {
-  @page { size: A4 landscape; margin: 12mm; }
+  @page { size: A4; margin: 13mm; } @page wide { size: A4 landscape; margin: 11mm; } .rows { page: wide; }
   :root { --page: #fff; --card: #fff; --ink: #000; --muted: #444; --rule: #bbb; --faint: #e2e2e2; --accent: #003f7f;
     --s0: #7a7f87; --s1: #d1495b; --s2: #0072b2; --s3: #2a9d6a; --s4: #9a57c8; --front: #f2b705;
     --p0: #d1495b; --p1: #e9a23b; --p2: #3b8ea5; --p3: #b9c0c8; }
@@ -92,7 +92,9 @@ dt { color: var(--muted); } dd { margin: 0; }
   * { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
   h2, h3 { break-after: avoid; } figure, .card, .plots > div, tr, .legend { break-inside: avoid; }
   .scroll, .rows .scroll { overflow: visible; width: auto; margin-left: 0; } .rows table { font-size: 5.6pt; } .rows td, .rows th { padding: 1.5px 4px 1.5px 0; }
-  .plots { grid-template-columns: repeat(2, 1fr); } .figures { grid-template-columns: repeat(3, 1fr); }
+  .plots { grid-template-columns: repeat(2, minmax(0, 1fr)); } .plots.three { grid-template-columns: repeat(3, minmax(0, 1fr)); }
+  h2 { margin-top: 30px; } .cards { grid-template-columns: repeat(4, 1fr); gap: 8px; } .card { padding: 8px 10px; }
+  table { font-size: 8pt; } td code { white-space: normal; } .rows td code { white-space: nowrap; } .figures { grid-template-columns: repeat(3, 1fr); }
 }
 )";
 
