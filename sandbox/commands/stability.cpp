@@ -13,7 +13,7 @@ namespace sandbox {
 namespace {
 
 /// Costs are taken on a picture large enough for the fragments to count.
-constexpr Size timed_size{512, 512};
+constexpr Size timed_size{256, 256};
 
 struct StabilityFlags {
     std::filesystem::path out;
