@@ -12,7 +12,8 @@ struct Light {
     float linear;
     float quadratic;
     float cos_cutoff;
-    float sin2_cutoff; // the square of its sine
+    float cos_inner_cutoff;
+    float sin2_cutoff; // the square of the cutoff's sine
     float edge_sharpness; // 1 over the width of the edge, in cosines; 0: hard
     float exponent;
 };
@@ -76,10 +77,14 @@ float cone(Light light, vec3 L)
 {
     float c = dot(-L, light.direction);
     vec3 sine = cross(L, light.direction); // its square is 1 - c^2
-    float inside = c > 0.5 ? (light.sin2_cutoff - dot(sine, sine)) / (c + light.cos_cutoff) : c - light.cos_cutoff;
+    float inside = c - light.cos_cutoff;
     float edge = light.edge_sharpness > 0.0
-        ? smoothstep(0.0, 1.0, inside * light.edge_sharpness)
+        ? smoothstep(light.cos_cutoff, light.cos_inner_cutoff, c)
         : (inside < 0.0 ? 0.0 : 1.0);
+    if (c > 0.5 && (light.cos_cutoff > 0.9994 || light.edge_sharpness > 1666.0)) { // cosines near 1 have no digits left
+        inside = (light.sin2_cutoff - dot(sine, sine)) / (c + light.cos_cutoff);
+        edge = light.edge_sharpness > 0.0 ? smoothstep(0.0, 1.0, inside * light.edge_sharpness) : float(inside >= 0.0);
+    }
     return edge * cosine_power(c, dot(sine, sine), light.exponent, true);
 }
 

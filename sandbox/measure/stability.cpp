@@ -10,6 +10,9 @@ namespace {
 
 constexpr int cost_turns = 15;
 
+/// Darker than this a picture is black: below 1e-38 float32 ends, and the factors of a colour may be smaller than it is.
+constexpr double darkest = 1e-30;
+
 double brightest(const ReferenceFrame &truth) {
     double largest = 0;
     for (std::size_t i = 0; i < truth.color.size(); ++i) {
@@ -52,8 +55,8 @@ StabilityRow judge_stability(const Frame &drawn, const ReferenceFrame &truth, co
     StabilityRow row;
     row.technique = technique;
     row.metrics = compare(drawn, truth, Flip::without);
-    const double scale = unit == ErrorUnit::brightest_value ? brightest(truth) : 1;
-    row.error = scale > 0 ? row.metrics.norms.max_abs / scale : row.metrics.norms.max_abs;
+    const double scale = unit == ErrorUnit::brightest_value ? std::max(brightest(truth), darkest) : 1;
+    row.error = row.metrics.norms.max_abs / scale;
     const auto pixels = static_cast<double>(truth.color.size());
     row.passed = row.metrics.nonfinite_pixels == 0 && row.error <= bound &&
                  static_cast<double>(row.metrics.compared_pixels) >= least_compared_share * pixels &&

@@ -12,14 +12,15 @@
 #include <string_view>
 #include <vector>
 
-/// The stiff and extreme cases: scenes on which a textbook's float32 formulas break, drawn and judged against the double
-/// reference. Knows no OpenGL.
+/// The stiff and extreme cases: scenes on which a textbook's float32 formulas break, drawn and judged against the
+/// double reference. Knows no OpenGL.
 namespace sandbox {
 
 /// What a bound is a share of.
 enum class ErrorUnit {
-    linear_color,  ///< 1, a display's white
-    brightest_value ///< the largest channel of the reference's compared pixels: scenes far brighter or darker than white
+    linear_color,   ///< 1, a display's white
+    brightest_value ///< the largest channel of the reference's compared pixels: scenes far brighter or darker than
+                    ///< white
 };
 
 struct StabilityCase {

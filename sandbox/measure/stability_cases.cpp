@@ -6,10 +6,9 @@ namespace sandbox {
 
 std::vector<StabilityCase> stability_cases() {
     std::vector<StabilityCase> all;
-    for (const auto group :
-         {stability::exponent_cases, stability::geometry_cases, stability::attenuation_cases, stability::spot_cases,
-          stability::transform_cases, stability::vertex_cases, stability::placement_cases,
-          stability::magnitude_cases}) {
+    for (const auto group : {stability::exponent_cases, stability::geometry_cases, stability::attenuation_cases,
+                             stability::spot_cases, stability::transform_cases, stability::vertex_cases,
+                             stability::placement_cases, stability::magnitude_cases}) {
         auto cases = group();
         std::move(cases.begin(), cases.end(), std::back_inserter(all));
     }
@@ -56,8 +55,8 @@ std::vector<Technique> techniques(std::initializer_list<const char *> texts) {
 }
 
 std::vector<Technique> usual_techniques() {
-    return techniques({"per-pixel/blinn-phong", "per-pixel/phong", "per-pixel/blinn-phong:program=full",
-                       "per-vertex/blinn-phong"});
+    return techniques(
+        {"per-pixel/blinn-phong", "per-pixel/phong", "per-pixel/blinn-phong:program=full", "per-vertex/blinn-phong"});
 }
 
 std::vector<Technique> all_frequencies() {

@@ -46,7 +46,8 @@ StabilityCase stiff_case(double n, const std::string &model, const Scene &scene,
     one.name = "exponent-" + power_of_ten(n) + "-" + model + "-" + where;
     one.group = "exponent";
     one.symptom = "The highlight is ragged or wrong by many levels, and at n = 1e7 brighter than the light.";
-    one.cause = "The relative error of c^n is n times that of c, and a float32 c near 1 carries 6e-8; N.H rounds above 1.";
+    one.cause =
+        "The relative error of c^n is n times that of c, and a float32 c near 1 carries 6e-8; N.H rounds above 1.";
     one.source = "float32 against double over 400,000 random directions: one 8-bit level is passed near n = 1e4.";
     one.scene = scene;
     one.techniques = techniques({("per-pixel/" + model).c_str(), ("per-pixel/" + model + ":program=full").c_str(),

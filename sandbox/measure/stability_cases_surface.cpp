@@ -75,7 +75,8 @@ Scene model(const char *file) {
 
 std::vector<StabilityCase> transform_cases() {
     Cases cases("transform");
-    const char *const inverse = "inverse() of a float32 matrix whose determinant is far from 1 loses digits, gives inf or 0.";
+    const char *const inverse =
+        "inverse() of a float32 matrix whose determinant is far from 1 loses digits, gives inf or 0.";
     Scene flat = ball({1, 1e-6, 1});
     flat.camera.position = {0, 2, 3};
     cases.add(flat, "scale-1e-6", "The disc is black or speckled.", inverse, "a ball squashed to a decal");
@@ -91,9 +92,11 @@ std::vector<StabilityCase> transform_cases() {
     huge.camera.far_plane = 1e10;
     huge.lights[0].position = {2e8, 3e8, 4e8};
     huge.lights[0].attenuation = {0.2, 1e-9, 0.05e-16};
-    cases.add(huge, "scale-1e13", "The ball is black, or missing.",
-              "The determinant is 1e39, above float32's 3e38: inverse() gives 0 and normalize(0) NaN.",
-              "a file in nanometres shown in kilometres").techniques = all_frequencies();
+    cases
+        .add(huge, "scale-1e13", "The ball is black, or missing.",
+             "The determinant is 1e39, above float32's 3e38: inverse() gives 0 and normalize(0) NaN.",
+             "a file in nanometres shown in kilometres")
+        .techniques = all_frequencies();
     Scene tiny = ball(glm::dvec3(1e-13));
     tiny.objects[0].mesh = SphereShape{1e9, 32, 64}; // 1e-4
     tiny.camera.position = {0, 0, 4e-4};
@@ -101,14 +104,21 @@ std::vector<StabilityCase> transform_cases() {
     tiny.camera.far_plane = 1;
     tiny.lights[0].position = {2e-4, 3e-4, 4e-4};
     tiny.lights[0].attenuation = {0.2, 1e3, 0.05e8};
-    cases.add(tiny, "scale-1e-13", "The ball is black, or missing.",
-              "The determinant is 1e-39, below float32's smallest normal: inverse() gives infinity.",
-              "a file in kilometres shown in nanometres").techniques = all_frequencies();
-    cases.add(scaled_ball(1e-13), "everything-1e-13", "The ball is black, or missing.",
-              "Distances of 1e-13, attenuation per unit of 1e8 and above, squares of 1e-26.", "metres for atoms")
-        .scene.lights[0].attenuation = {0.2, 1e9, 1e9};
-    cases.add(scaled_ball(1e-9), "everything-1e-9", "The ball is black, or missing.",
-              "Products of three lengths are 1e-27.", "metres for molecules").scene.lights[0].attenuation = {0.2, 1e8, 1e9};
+    cases
+        .add(tiny, "scale-1e-13", "The ball is black, or missing.",
+             "The determinant is 1e-39, below float32's smallest normal: inverse() gives infinity.",
+             "a file in kilometres shown in nanometres")
+        .techniques = all_frequencies();
+    cases
+        .add(scaled_ball(1e-13), "everything-1e-13", "The ball is black, or missing.",
+             "Distances of 1e-13, attenuation per unit of 1e8 and above, squares of 1e-26.", "metres for atoms")
+        .scene.lights[0]
+        .attenuation = {0.2, 1e9, 1e9};
+    cases
+        .add(scaled_ball(1e-9), "everything-1e-9", "The ball is black, or missing.",
+             "Products of three lengths are 1e-27.", "metres for molecules")
+        .scene.lights[0]
+        .attenuation = {0.2, 1e8, 1e9};
     Scene far_inside = ball(glm::dvec3(1e15));
     far_inside.objects[0].two_sided = true;
     far_inside.camera.near_plane = 1e14;
@@ -119,8 +129,10 @@ std::vector<StabilityCase> transform_cases() {
               "Squares of 1e15 are 1e30: the fourth power of a length leaves float32's range.", "a sky dome");
     Scene mirrored = ball({-1, 1, 1});
     mirrored.objects[0].transform.rotate_degrees = {0, 30, 20};
-    cases.add(mirrored, "mirrored", "Lit from the wrong side, or seen from the inside.",
-              "det < 0 turns the cofactor normals inwards and the front faces round.", "the left shoe made from the right")
+    cases
+        .add(mirrored, "mirrored", "Lit from the wrong side, or seen from the inside.",
+             "det < 0 turns the cofactor normals inwards and the front faces round.",
+             "the left shoe made from the right")
         .techniques = all_frequencies();
     Scene mirrored_flat = ball({-2, 1e-3, 1});
     mirrored_flat.camera.position = {0, 2, 3};
@@ -129,9 +141,11 @@ std::vector<StabilityCase> transform_cases() {
     Scene singular = ball({1, 0, 1});
     singular.objects[0].mesh = PlaneShape{{2, 2}, 4}; // its own plane is all that is left of space
     singular.camera.position = {0, 2, 3};
-    cases.add(singular, "singular", "The flattened surface is NaN.",
-              "det = 0: there is no inverse; the cofactor matrix still has the plane's normal.",
-              "planar shadows by a scale of 0").techniques = all_frequencies();
+    cases
+        .add(singular, "singular", "The flattened surface is NaN.",
+             "det = 0: there is no inverse; the cofactor matrix still has the plane's normal.",
+             "planar shadows by a scale of 0")
+        .techniques = all_frequencies();
     Scene turned = ball({1, 0.01, 3});
     turned.objects[0].transform.rotate_degrees = {40, 50, 60};
     cases.add(turned, "rotated-uneven", "Normals lean the wrong way.",
@@ -143,13 +157,18 @@ std::vector<StabilityCase> transform_cases() {
 std::vector<StabilityCase> vertex_cases() {
     Cases cases("vertices");
     const char *const who = "OBJ files of scanners and exporters";
-    cases.add(model("opposite-normals.obj"), "opposite-normals", "A dark or white line through the face.",
-              "Interpolated between n and -n the normal is 0 half way: normalize(0) is NaN. It then lights nothing.",
-              who).techniques = all_frequencies();
-    cases.add(model("zero-normals.obj"), "zero-normals", "The model is black, or NaN.",
-              "vn 0 0 0: normalize(0). Such normals are computed from the faces.", who).techniques = all_frequencies();
+    cases
+        .add(model("opposite-normals.obj"), "opposite-normals", "A dark or white line through the face.",
+             "Interpolated between n and -n the normal is 0 half way: normalize(0) is NaN. It then lights nothing.",
+             who)
+        .techniques = all_frequencies();
+    cases
+        .add(model("zero-normals.obj"), "zero-normals", "The model is black, or NaN.",
+             "vn 0 0 0: normalize(0). Such normals are computed from the faces.", who)
+        .techniques = all_frequencies();
     cases.add(model("tiny-normals.obj"), "normals-1e-30", "The model is black, or infinitely bright.",
-              "The square of 1e-30 is 0 in float32: the length is 0. Normals are scaled before they are made unit.", who);
+              "The square of 1e-30 is 0 in float32: the length is 0. Normals are scaled before they are made unit.",
+              who);
     cases.add(model("huge-normals.obj"), "normals-1e20", "The model is black.",
               "The square of 1e20 is infinite in float32. Normals are scaled before they are made unit.", who);
     cases.add(model("degenerate.obj"), "degenerate-triangles", "Specks and lines, or NaN on whole faces.",
@@ -161,17 +180,22 @@ std::vector<StabilityCase> vertex_cases() {
     Scene coarse = ball({1, 1, 1});
     coarse.objects[0].mesh = SphereShape{1, 2, 3};
     coarse.lights[0].ambient = 0.2;
-    cases.add(coarse, "coarsest-sphere", "A dark line across each face.",
-              "Normals 120 degrees and more apart: interpolation all but cancels them.", "the coarsest of levels of detail")
+    cases
+        .add(coarse, "coarsest-sphere", "A dark line across each face.",
+             "Normals 120 degrees and more apart: interpolation all but cancels them.",
+             "the coarsest of levels of detail")
         .techniques = all_frequencies();
     return cases.all();
 }
 
 std::vector<StabilityCase> placement_cases() {
     Cases cases("placement");
-    const char *const cause = "L - P loses 6 cm at 1e6, 1 m at 1e7: float32 has 24 bits. Positions are uploaded from the eye.";
-    cases.add(moved(ball(glm::dvec3(1)), {1e6, -1e6, 1e6}), "1e6", "Bands, and highlights that jump.", cause,
-              "city models in map coordinates").techniques = all_frequencies();
+    const char *const cause =
+        "L - P loses 6 cm at 1e6, 1 m at 1e7: float32 has 24 bits. Positions are uploaded from the eye.";
+    cases
+        .add(moved(ball(glm::dvec3(1)), {1e6, -1e6, 1e6}), "1e6", "Bands, and highlights that jump.", cause,
+             "city models in map coordinates")
+        .techniques = all_frequencies();
     cases.add(moved(ball(glm::dvec3(1)), {-1e7, 1e7, 1e7}), "1e7", "Facets as large as the object.", cause,
               "geocentric coordinates");
     cases.add(moved(ball(glm::dvec3(1)), {9e8, 9e8, -9e8}), "9e8", "The object is a point, or missing.", cause,

@@ -93,23 +93,27 @@ std::string stability_html(const StabilityRun &run) {
     const auto broken = std::ranges::count_if(run.results, [](const StabilityResult &r) { return !r.passed(); });
     const auto naive = std::ranges::count_if(run.results, [](const StabilityResult &r) { return !r.textbook.passed; });
     const std::string count = std::to_string(run.results.size());
-    std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-                       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-                       "<meta name=\"color-scheme\" content=\"light dark\">\n<title>Stiff and extreme cases</title>\n<style>\n";
-    html += std::string(style) + case_style + "</style>\n</head>\n<body>\n<main>\n<header><p class=\"kicker\">Numerical "
-            "stability</p><h1>Stiff and extreme cases</h1><p class=\"lead\">Scenes on which a textbook's float32 formulas "
-            "break: drawn, and judged against the same equation in double.</p><p class=\"facts\">" +
-            std::to_string(stability_size.width) + " &times; " + std::to_string(stability_size.height) +
-            " pixels &middot; " + escaped(run.renderer) + " &middot; Shading Sandbox " + escaped(run.version) +
-            "</p></header>\n<div class=\"cards\"><div class=\"card\"><b>" +
-            std::to_string(run.results.size() - static_cast<std::size_t>(broken)) + " of " + count +
-            "</b><span>within their bound as this program draws them</span></div><div class=\"card\"><b>" +
-            std::to_string(naive) + " of " + count + "</b><span>out of bound in the textbook's form</span></div></div>\n";
-    html += section("table", "All cases",
-                    "A case keeps its bound if every pixel is finite and the largest difference over the compared pixels "
-                    "stays within it, for every technique of the case. Cost is run time over that of the textbook's "
-                    "power, taken in turns, where there are two programs.",
-                    table_html(run));
+    std::string html =
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+        "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+        "<meta name=\"color-scheme\" content=\"light dark\">\n<title>Stiff and extreme cases</title>\n<style>\n";
+    html +=
+        std::string(style) + case_style +
+        "</style>\n</head>\n<body>\n<main>\n<header><p class=\"kicker\">Numerical "
+        "stability</p><h1>Stiff and extreme cases</h1><p class=\"lead\">Scenes on which a textbook's float32 formulas "
+        "break: drawn, and judged against the same equation in double.</p><p class=\"facts\">" +
+        std::to_string(stability_size.width) + " &times; " + std::to_string(stability_size.height) +
+        " pixels &middot; " + escaped(run.renderer) + " &middot; Shading Sandbox " + escaped(run.version) +
+        "</p></header>\n<div class=\"cards\"><div class=\"card\"><b>" +
+        std::to_string(run.results.size() - static_cast<std::size_t>(broken)) + " of " + count +
+        "</b><span>within their bound as this program draws them</span></div><div class=\"card\"><b>" +
+        std::to_string(naive) + " of " + count + "</b><span>out of bound in the textbook's form</span></div></div>\n";
+    html +=
+        section("table", "All cases",
+                "A case keeps its bound if every pixel is finite and the largest difference over the compared pixels "
+                "stays within it, for every technique of the case. Cost is run time over that of the textbook's "
+                "power, taken in turns, where there are two programs.",
+                table_html(run));
     std::string group, body;
     for (std::size_t i = 0; i < run.results.size(); ++i) {
         const StabilityResult &result = run.results[i];

@@ -86,8 +86,8 @@ std::string stability_csv(const StabilityRun &run) {
                shortest(result.of.bound) + "," + unit_name(result.of.unit) + "," + shortest(row.error) + "," +
                std::to_string(m.max_levels) + "," + std::to_string(m.nonfinite_pixels) + "," +
                std::to_string(m.compared_pixels) + "," + std::to_string(m.silhouette_pixels) + "," +
-               std::to_string(m.edge_pixels) + "," + std::to_string(m.jump_pixels) + "," +
-               (row.passed ? "yes" : "no") + "," + (has_cost && result.cost ? shortest(*result.cost) : "") + "\r\n";
+               std::to_string(m.edge_pixels) + "," + std::to_string(m.jump_pixels) + "," + (row.passed ? "yes" : "no") +
+               "," + (has_cost && result.cost ? shortest(*result.cost) : "") + "\r\n";
     };
     for (const StabilityResult &result : run.results) {
         line(result, result.textbook, "textbook", false);

@@ -64,8 +64,7 @@ glm::vec3 light_sum(const Light &light, const Material &material, float shinines
     const float n_dot_l = glm::dot(n, l);
     glm::vec3 sum = glm::vec3(material.diffuse) * color * (static_cast<float>(light.diffuse) * glm::max(n_dot_l, 0.0F));
     if (model != Model::lambert && n_dot_l > 0) {
-        const float f =
-            model == Model::phong ? glm::dot(glm::reflect(-l, n), v) : glm::dot(n, glm::normalize(l + v));
+        const float f = model == Model::phong ? glm::dot(glm::reflect(-l, n), v) : glm::dot(n, glm::normalize(l + v));
         sum += glm::vec3(material.specular) * color *
                (static_cast<float>(light.specular) * power(glm::max(f, 0.0F), shininess));
     }
@@ -129,8 +128,8 @@ Frame textbook_picture(const Scene &scene, const std::vector<ObjectResources> &r
             const int y = rasteriser.first_row(band) + static_cast<int>(i) / size.width;
             const auto &raster = meshes.raster[hit.object - 1];
             const glm::uvec3 &t = (*raster.triangles)[hit.triangle];
-            const glm::vec3 weights(reference::weights_at(raster.corners[t.x], raster.corners[t.y],
-                                                          raster.corners[t.z], x + 0.5, y + 0.5));
+            const glm::vec3 weights(
+                reference::weights_at(raster.corners[t.x], raster.corners[t.y], raster.corners[t.z], x + 0.5, y + 0.5));
             const std::size_t pixel = frame.color.index(x, y);
             frame.color.pixels[pixel] = glm::vec4(textbook.color(hit, t, weights), 1);
             frame.object_ids[pixel] = hit.object;

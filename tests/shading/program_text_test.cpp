@@ -98,6 +98,27 @@ TEST(ProgramText, TheStablePowerIsThereOnlyWhereTheExponentNeedsIt) {
     EXPECT_FALSE(has(text_of(scene, "per-pixel/phong"), "stable_power"));
 }
 
+TEST(ProgramText, GuardsOfExtremeScenesAreThereOnlyWhereTheyAreNeeded) {
+    Scene scene = named("soft spot");
+    const std::string plain = text_of(scene, "per-pixel/phong");
+    for (const char *word : {"sin2_cutoff", "edge_sharpness", "gl_FragDepth", "gl_FragCoord", "ray_corner"}) {
+        EXPECT_FALSE(has(plain, word)) << word;
+    }
+    scene.lights[0].cutoff_degrees = 0.5;
+    scene.lights[0].inner_cutoff_degrees = 0.2;
+    EXPECT_TRUE(has(text_of(scene, "per-pixel/phong"), "edge_sharpness"));
+    scene = named("soft spot");
+    scene.camera.near_plane = 1e-4;
+    scene.camera.far_plane = 1e3;
+    EXPECT_TRUE(has(text_of(scene, "per-pixel/phong"), "gl_FragDepth"));
+    scene = named("soft spot");
+    scene.objects[0].mesh = PlaneShape{{1e5, 1e5}, 1};
+    const std::string wide = text_of(scene, "per-pixel/phong");
+    EXPECT_TRUE(has(wide, "ray_corner"));
+    EXPECT_FALSE(has(wide, "v_position")); // in its place
+    EXPECT_FALSE(has(text_of(scene, "per-vertex/phong"), "ray_corner"));
+}
+
 TEST(ProgramText, FrequenciesPutTheEquationWhereTheySay) {
     const Scene scene = named("point");
     const auto stages = [&](const std::string &technique) { return assemble(features_of(scene, technique), parts()); };

@@ -75,6 +75,21 @@ Light any_light(Dice &dice, std::uint32_t kind, double unit) {
     return light;
 }
 
+/// The camera goes so near to where the first light is mirrored that a stiff highlight fills the picture.
+void zoom_on_highlight(Scene &scene, Dice &dice) {
+    scene.objects[0].mesh = SphereShape{1, 16, 24};
+    scene.objects[0].transform.scale = glm::dvec3(glm::length(scene.objects[0].transform.scale));
+    const glm::dvec3 eye = scene.camera.position;
+    const double width = 1 / std::sqrt(std::max(scene.objects[0].material.shininess, 1.0));
+    const glm::dvec3 beside = glm::normalize(eye) + width * dice.direction();
+    Light &light = scene.lights[0];
+    light.position = beside * glm::length(light.position);
+    light.direction = -beside;
+    light.specular = 1;
+    light.diffuse = light.ambient = 0.01;
+    scene.camera.fov_y_degrees *= std::min(3 * width, 1.0);
+}
+
 void move_everything(Scene &scene, const glm::dvec3 &by) {
     scene.camera.position += by;
     scene.camera.target += by;
@@ -120,6 +135,9 @@ StressScene stress_scene(std::uint32_t family, std::uint32_t seed) {
     scene.camera.fov_y_degrees = std::min(glm::degrees(2 * std::atan(1.5 * unit / distance)), 120.0);
     scene.camera.near_plane = distance * dice.power_of_ten(-4, -1);
     scene.camera.far_plane = distance * dice.power_of_ten(1, 4);
+    if (dice.chance(0.4)) {
+        zoom_on_highlight(scene, dice);
+    }
     if (dice.chance(0.5)) { // as far as a double still holds the object
         move_everything(scene, dice.direction() * std::min(unit * dice.power_of_ten(0, 7), 8e8));
     }
