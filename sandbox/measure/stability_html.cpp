@@ -18,6 +18,7 @@ const char *const case_style = R"(
 .badge.kept { color: var(--accent); } .badge.broken { color: var(--warn); background: var(--warn-page); }
 .case .body { display: grid; grid-template-columns: minmax(300px, 5fr) 6fr; gap: 22px; }
 .case .three { display: grid; grid-template-columns: repeat(3, minmax(0, 1fr)); gap: 10px; align-content: start; }
+td a { white-space: nowrap; }
 .case .three img { image-rendering: pixelated; }
 .case dl { grid-template-columns: max-content 1fr; margin: 0; align-content: start; }
 @media (max-width: 820px) { .case .body { grid-template-columns: 1fr; } }
