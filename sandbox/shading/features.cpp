@@ -4,7 +4,6 @@
 #include "scene/space.h"
 #include "shading/length_scale.h"
 #include "shading/needs.h"
-#include "shading/needs.h"
 
 #include <algorithm>
 #include <cmath>
