@@ -13,10 +13,10 @@ namespace {
 
 using Names = std::set<std::string, std::less<>>;
 
-/// A room and the rooms below it. scene and image share a floor; reference and render never meet; measure and capture
-/// are handed pictures, so they stand above render without seeing it.
+/// A room and the rooms below it. scene uses image, never the other way; reference and render never meet; measure and
+/// capture are handed pictures, so they stand above render without seeing it.
 const std::map<std::string, Names, std::less<>> rooms_below = {
-    {"image", {"scene"}},
+    {"image", {}},
     {"scene", {"image"}},
     {"shading", {"scene", "image"}},
     {"reference", {"scene", "image", "shading"}},

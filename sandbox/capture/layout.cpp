@@ -1,6 +1,6 @@
 #include "capture/layout.h"
 
-#include "scene/error.h"
+#include "image/error.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "capture/orbit.h"
 
-#include "scene/error.h"
+#include "image/error.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

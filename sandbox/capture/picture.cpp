@@ -1,7 +1,7 @@
 #include "capture/picture.h"
 
 #include "capture/labels.h"
-#include "scene/error.h"
+#include "image/error.h"
 
 #include <cmath>
 #include <sstream>

@@ -1,6 +1,6 @@
 #include "capture/sidecar.h"
 
-#include "scene/error.h"
+#include "image/error.h"
 #include "scene/scene_file.h"
 
 #include <nlohmann/json.hpp>

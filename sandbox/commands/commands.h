@@ -15,9 +15,8 @@ using AddCommand = void(CLI::App &app, CommonOptions &common, Run &run);
 
 AddCommand add_list, add_capture, add_reference, add_compare, add_time, add_report, add_stability, add_glsl, add_view;
 /// A new command is a file of its own, and its name here and above.
-inline constexpr AddCommand *all_commands[]{add_list, add_capture, add_reference, add_compare,
-                                            add_time, add_report,  add_stability, add_glsl,
-                                            add_view};
+inline constexpr AddCommand *all_commands[]{add_list,   add_capture,   add_reference, add_compare, add_time,
+                                            add_report, add_stability, add_glsl,      add_view};
 
 /// The arguments of every command: --set, --shaders, --assets, --backend, -v.
 void add_common_options(CLI::App &app, CommonOptions &common);

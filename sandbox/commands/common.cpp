@@ -2,8 +2,8 @@
 
 #include "capture/sidecar.h"
 #include "commands/commands.h"
+#include "image/error.h"
 #include "image/image_file.h"
-#include "scene/error.h"
 #include "scene/scene_file.h"
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "capture/picture.h"
+#include "image/error.h"
 #include "image/image.h"
 #include "render/context.h"
 #include "scene/assets.h"
-#include "scene/error.h"
 #include "scene/scene.h"
 
 #include <filesystem>

@@ -1,5 +1,5 @@
+#include "image/error.h"
 #include "image/image_file.h"
-#include "scene/error.h"
 
 #include <cerrno>
 #include <cstdio>

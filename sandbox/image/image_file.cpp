@@ -1,7 +1,7 @@
 #include "image/image_file.h"
 
 #include "image/codecs.h"
-#include "scene/error.h"
+#include "image/error.h"
 
 namespace sandbox {
 

@@ -1,5 +1,5 @@
 #include "image/codecs.h"
-#include "scene/error.h"
+#include "image/error.h"
 
 #include <csetjmp>
 #include <cstdio>

@@ -1,6 +1,6 @@
 #include "image/image_file.h"
 
-#include "scene/error.h"
+#include "image/error.h"
 
 #include <bit>
 #include <charconv>

@@ -1,6 +1,6 @@
 #include "image/codecs.h"
+#include "image/error.h"
 #include "image/image_file.h"
-#include "scene/error.h"
 
 #include <array>
 #include <cstdlib>

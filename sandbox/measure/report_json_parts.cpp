@@ -1,7 +1,7 @@
 #include "measure/report_json_parts.h"
 
+#include "image/error.h"
 #include "measure/work_precision_findings.h"
-#include "scene/error.h"
 
 #include <array>
 #include <cmath>

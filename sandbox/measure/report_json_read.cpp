@@ -1,6 +1,6 @@
 #include "measure/report_json_parts.h"
 
-#include "scene/error.h"
+#include "image/error.h"
 #include "scene/scene_file.h"
 
 #include <nlohmann/json.hpp>

@@ -10,7 +10,8 @@ namespace {
 
 constexpr int cost_turns = 15;
 
-/// Darker than this a picture is black: below 1e-38 float32 ends, and the factors of a colour may be smaller than it is.
+/// Darker than this a picture is black: below 1e-38 float32 ends, and the factors of a colour may be smaller than it
+/// is.
 constexpr double darkest = 1e-30;
 
 double brightest(const ReferenceFrame &truth) {

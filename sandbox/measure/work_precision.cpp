@@ -1,6 +1,6 @@
 #include "measure/work_precision.h"
 
-#include "scene/error.h"
+#include "image/error.h"
 
 #include <algorithm>
 #include <chrono>

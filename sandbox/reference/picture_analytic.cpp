@@ -1,8 +1,8 @@
+#include "image/error.h"
 #include "reference/analytic.h"
 #include "reference/picture.h"
 #include "reference/raster.h"
 #include "reference/surface.h"
-#include "scene/error.h"
 #include "scene/space.h"
 
 #include <algorithm>

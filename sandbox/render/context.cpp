@@ -1,7 +1,7 @@
 #include "render/context.h"
 
+#include "image/error.h"
 #include "render/platform_context.h"
-#include "scene/error.h"
 
 #include <glad/gl.h>
 

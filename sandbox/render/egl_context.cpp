@@ -1,5 +1,5 @@
+#include "image/error.h"
 #include "render/platform_context.h"
-#include "scene/error.h"
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -11,9 +11,7 @@
 namespace sandbox {
 namespace {
 
-bool has_extension(const char *list, const char *name) {
-    return list != nullptr && std::strstr(list, name) != nullptr;
-}
+bool has_extension(const char *list, const char *name) { return list != nullptr && std::strstr(list, name) != nullptr; }
 
 /// The displays to try, in order: surfaceless, each device, the default one.
 std::vector<EGLDisplay> candidate_displays() {
@@ -57,13 +55,9 @@ class EglContext final : public Context {
         if (eglChooseConfig(display, config_attributes.data(), &config, 1, &count) != EGL_TRUE || count == 0) {
             return false;
         }
-        constexpr std::array<EGLint, 7> attributes{EGL_CONTEXT_MAJOR_VERSION,
-                                                   3,
-                                                   EGL_CONTEXT_MINOR_VERSION,
-                                                   3,
-                                                   EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                                   EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                                   EGL_NONE};
+        constexpr std::array<EGLint, 7> attributes{
+            EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
         context_ = eglCreateContext(display, config, EGL_NO_CONTEXT, attributes.data());
         if (context_ == EGL_NO_CONTEXT) {
             found_ = older_version(display, config);
@@ -99,8 +93,7 @@ class EglContext final : public Context {
             return {};
         }
         std::string text;
-        const auto get_string =
-            reinterpret_cast<const unsigned char *(*)(unsigned)>(eglGetProcAddress("glGetString"));
+        const auto get_string = reinterpret_cast<const unsigned char *(*)(unsigned)>(eglGetProcAddress("glGetString"));
         if (get_string != nullptr && eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_TRUE) {
             constexpr unsigned gl_version = 0x1F02;
             const auto *version = reinterpret_cast<const char *>(get_string(gl_version));

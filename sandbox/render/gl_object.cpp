@@ -1,6 +1,6 @@
 #include "render/gl_object.h"
 
-#include "scene/error.h"
+#include "image/error.h"
 
 #include <glad/gl.h>
 

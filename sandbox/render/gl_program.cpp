@@ -86,9 +86,7 @@ int GlProgram::location(std::string_view name) const {
 void GlProgram::set(std::string_view name, int value) const { glUniform1i(location(name), value); }
 void GlProgram::set(std::string_view name, unsigned value) const { glUniform1ui(location(name), value); }
 void GlProgram::set(std::string_view name, float value) const { glUniform1f(location(name), value); }
-void GlProgram::set(std::string_view name, const glm::vec3 &value) const {
-    glUniform3fv(location(name), 1, &value[0]);
-}
+void GlProgram::set(std::string_view name, const glm::vec3 &value) const { glUniform3fv(location(name), 1, &value[0]); }
 void GlProgram::set(std::string_view name, const glm::mat3 &value) const {
     glUniformMatrix3fv(location(name), 1, GL_FALSE, &value[0][0]);
 }

@@ -1,5 +1,5 @@
+#include "image/error.h"
 #include "render/platform_context.h"
-#include "scene/error.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>

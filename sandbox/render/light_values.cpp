@@ -29,8 +29,7 @@ double cos_degrees(double degrees) { return degrees == 90 ? 0 : std::cos(glm::ra
 /// One half vector for the whole scene: the light seen from the world's origin, and the view axis. Under an infinite
 /// viewer that is exact for a directional light.
 glm::dvec3 scene_half_vector(const Light &light, const Scene &scene) {
-    const glm::dvec3 to_light =
-        light.type == LightType::directional ? -unit(light.direction) : unit(light.position);
+    const glm::dvec3 to_light = light.type == LightType::directional ? -unit(light.direction) : unit(light.position);
     return unit(to_light - camera_axes(scene.camera).forward);
 }
 
@@ -48,8 +47,8 @@ LightValues light_values(const Light &light, const Scene &scene, const Technique
             material.ambient * light.color * light.ambient;
     }
     values.diffuse = material.diffuse * light.color * light.diffuse;
-    values.specular = technique.model == Model::lambert ? glm::dvec3(0)
-                                                        : material.specular * light.color * light.specular;
+    values.specular =
+        technique.model == Model::lambert ? glm::dvec3(0) : material.specular * light.color * light.specular;
     values.half_vector = scene_half_vector(light, scene);
     values.attenuation = scaled(light.attenuation, scale);
     if (cone) {

@@ -7,7 +7,7 @@ namespace sandbox {
 
 /// One light as the programs want it: colours already multiplied by the material, directions unit, cosines in double.
 struct LightValues {
-    int type = 0; ///< full program: 0 directional, 1 point, 2 spot
+    int type = 0;           ///< full program: 0 directional, 1 point, 2 spot
     glm::dvec3 position{0}; ///< from the eye
     glm::dvec3 direction{0};
     glm::dvec3 ambient{0}, attenuated_ambient{0}, diffuse{0}, specular{0};

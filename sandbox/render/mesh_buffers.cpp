@@ -1,6 +1,6 @@
 #include "render/mesh_buffers.h"
 
-#include "scene/error.h"
+#include "image/error.h"
 
 #include <glad/gl.h>
 #include <glm/geometric.hpp>

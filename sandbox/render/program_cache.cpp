@@ -36,8 +36,8 @@ const GlProgram &ProgramCache::get(const Features &features) {
 
 const GlProgram &ProgramCache::wireframe() {
     if (wireframe_ == nullptr) {
-        wireframe_ = std::make_unique<const GlProgram>(ProgramSource{
-            whole_part(parts_, "wireframe_vertex.glsl"), whole_part(parts_, "wireframe_fragment.glsl")});
+        wireframe_ = std::make_unique<const GlProgram>(
+            ProgramSource{whole_part(parts_, "wireframe_vertex.glsl"), whole_part(parts_, "wireframe_fragment.glsl")});
     }
     return *wireframe_;
 }
@@ -50,8 +50,7 @@ void ProgramCache::rebuild_all() {
 }
 
 void ProgramCache::evict_oldest() {
-    const auto oldest = std::ranges::min_element(
-        entries_, {}, [](const auto &entry) { return entry.second.last_use; });
+    const auto oldest = std::ranges::min_element(entries_, {}, [](const auto &entry) { return entry.second.last_use; });
     entries_.erase(oldest);
 }
 

@@ -122,8 +122,8 @@ void Renderer::draw(const Scene &scene, const Technique &technique, Target &targ
     const auto resources = impl_->resources.load(scene);
     clear(scene, target);
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-        const DrawInput input{scene,           technique, scene.objects[i], *resources[i].mesh,
-                              target.size(),   static_cast<unsigned>(i + 1)};
+        const DrawInput input{
+            scene, technique, scene.objects[i], *resources[i].mesh, target.size(), static_cast<unsigned>(i + 1)};
         impl_->draw_object(input, resources[i], target);
     }
     glDisable(GL_CULL_FACE);

@@ -1,6 +1,6 @@
 #include "render/target.h"
 
-#include "scene/error.h"
+#include "image/error.h"
 
 #include <glad/gl.h>
 

@@ -40,8 +40,9 @@ void put_lights(Uploader &uploader, const DrawInput &input, const std::string &k
     for (std::size_t i = 0; i < indices.size(); ++i) {
         const std::string name =
             indices.size() == 1 ? "the_" + kind + "_light" : kind + "_lights[" + std::to_string(i) + "]";
-        put_light(uploader, name, light_values(input.scene.lights[indices[i]], input.scene, input.technique,
-                                               input.object.material, scale));
+        put_light(
+            uploader, name,
+            light_values(input.scene.lights[indices[i]], input.scene, input.technique, input.object.material, scale));
     }
 }
 

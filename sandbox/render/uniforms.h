@@ -14,7 +14,7 @@ struct DrawInput {
     const Technique &technique;
     const Object &object;
     const Mesh &mesh;
-    Size size; ///< of the picture
+    Size size;          ///< of the picture
     unsigned object_id; ///< index + 1
 
     [[nodiscard]] double aspect() const { return static_cast<double>(size.width) / static_cast<double>(size.height); }

@@ -1,8 +1,8 @@
 #include "scene/assets.h"
 
+#include "image/error.h"
 #include "image/image_file.h"
 #include "scene/embedded.h"
-#include "scene/error.h"
 
 #include <algorithm>
 #include <utility>

@@ -20,8 +20,8 @@ struct Mesh {
     std::vector<glm::dvec3> normals;
     std::vector<glm::dvec2> uvs;
     std::vector<glm::uvec3> triangles;
-    bool closed = false; ///< encloses a volume: its back faces cannot be seen from outside
-    Bounds bounds;       ///< found by summarise(), as the next is
+    bool closed = false;           ///< encloses a volume: its back faces cannot be seen from outside
+    Bounds bounds;                 ///< found by summarise(), as the next is
     bool opposing_normals = false; ///< some triangle's normals may interpolate to 0
 };
 

@@ -1,6 +1,6 @@
 #include "scene/obj_reader.h"
 
-#include "scene/error.h"
+#include "image/error.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "scene/resources.h"
 
+#include "image/error.h"
 #include "image/image_file.h"
-#include "scene/error.h"
 #include "scene/obj_reader.h"
 
 #include <algorithm>

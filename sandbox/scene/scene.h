@@ -95,8 +95,8 @@ struct ObjShape {
 using Shape = std::variant<SphereShape, BoxShape, PlaneShape, CylinderShape, TorusShape, ObjShape>;
 
 /// Colours by object-space position: cells per axis across the mesh's bounding cube about its origin
-/// (half edge R = the largest |coordinate| of the mesh); colors[(i + j + k) mod 2], i = floor((x + R) cells / 2R), clamped
-/// to [0, cells - 1].
+/// (half edge R = the largest |coordinate| of the mesh); colors[(i + j + k) mod 2], i = floor((x + R) cells / 2R),
+/// clamped to [0, cells - 1].
 struct Checker {
     int cells = 8;
     std::array<glm::dvec3, 2> colors{glm::dvec3{1, 1, 1}, glm::dvec3{0.8, 0.1, 0.1}};

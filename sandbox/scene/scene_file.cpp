@@ -1,7 +1,7 @@
 #include "scene/scene_file.h"
 
+#include "image/error.h"
 #include "image/image_file.h"
-#include "scene/error.h"
 #include "scene/obj_reader.h"
 #include "scene/scene_json.h"
 #include "scene/suggest.h"

@@ -1,6 +1,6 @@
 #include "scene/scene_file.h"
 
-#include "scene/error.h"
+#include "image/error.h"
 #include "scene/scene_json.h"
 #include "scene/suggest.h"
 

@@ -17,10 +17,11 @@ TemplateValues full_values(const Features &f, Stage stage) {
                     {"deep", f.deep},
                     {"wide", f.wide},
                     {"object_ids", f.object_ids}};
-    values.texts = {{"way", stage == Stage::vertex ? "out" : "in"},
-                    {"flat", flat ? "flat " : ""},
-                    {"full.point", flat ? "a_centroid" : "a_position"},
-                    {"full.lights", std::to_string(vectors ? full_program_max_vector_lights : full_program_max_lights)}};
+    values.texts = {
+        {"way", stage == Stage::vertex ? "out" : "in"},
+        {"flat", flat ? "flat " : ""},
+        {"full.point", flat ? "a_centroid" : "a_position"},
+        {"full.lights", std::to_string(vectors ? full_program_max_vector_lights : full_program_max_lights)}};
     return values;
 }
 

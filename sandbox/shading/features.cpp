@@ -1,6 +1,6 @@
 #include "shading/features.h"
 
-#include "scene/error.h"
+#include "image/error.h"
 #include "scene/space.h"
 #include "shading/length_scale.h"
 #include "shading/needs.h"
@@ -53,8 +53,7 @@ bool may_touch(const Light &light, const Object &object, const Mesh &mesh) {
     const glm::dvec3 extent = bounds.high - bounds.low;
     const glm::dvec3 room = 0.01 * extent + glm::dvec3(1e-3 * glm::length(extent)); // flat shapes have some too
     const glm::dvec3 p = glm::inverse(linear) * (light.position - object.transform.translate);
-    return glm::all(glm::greaterThanEqual(p, bounds.low - room)) &&
-           glm::all(glm::lessThanEqual(p, bounds.high + room));
+    return glm::all(glm::greaterThanEqual(p, bounds.low - room)) && glm::all(glm::lessThanEqual(p, bounds.high + room));
 }
 
 Exponent exponent_kind(const Technique &technique, double n) {
@@ -110,12 +109,10 @@ LightFeatures light_features(const std::vector<std::size_t> &indices, const Scen
         f.on_surface |= is_positional(light) && may_touch(light, object, mesh);
     }
     // One light that fades by distance brings all of its type into the formula, with their own constant.
-    f.constant = f.attenuated() && std::ranges::any_of(indices, [&](std::size_t i) {
-        return scene.lights[i].attenuation.constant != 0;
-    });
-    f.floor = f.attenuated() && std::ranges::any_of(indices, [&](std::size_t i) {
-        return scene.lights[i].attenuation.constant < 1e-6;
-    });
+    f.constant = f.attenuated() &&
+                 std::ranges::any_of(indices, [&](std::size_t i) { return scene.lights[i].attenuation.constant != 0; });
+    f.floor = f.attenuated() &&
+              std::ranges::any_of(indices, [&](std::size_t i) { return scene.lights[i].attenuation.constant < 1e-6; });
     f.no_exponent = f.no_exponent && f.exponent;
     f.stable_exponent = f.stable_exponent && f.exponent;
     return f;
@@ -123,8 +120,8 @@ LightFeatures light_features(const std::vector<std::size_t> &indices, const Scen
 
 bool constant_ambient(const Scene &scene, const Technique &technique, const Material &material) {
     return any(material.ambient * scene.ambient) || std::ranges::any_of(scene.lights, [&](const Light &light) {
-        return terms_of(light, technique, material).ambient && !ambient_with_light(light, technique);
-    });
+               return terms_of(light, technique, material).ambient && !ambient_with_light(light, technique);
+           });
 }
 
 /// Is some ambient term evaluated with its light?
@@ -164,7 +161,9 @@ void derive_surface(Features &f, const Scene &scene, const Technique &technique,
 
 void derive_half_vectors(Features &f, const Technique &technique) {
     const bool constant = technique.half_vector == HalfVector::constant;
-    const auto given = [&](const LightFeatures &light) { return f.model == Model::blinn_phong && light.specular && constant; };
+    const auto given = [&](const LightFeatures &light) {
+        return f.model == Model::blinn_phong && light.specular && constant;
+    };
     f.directional.given_half_vector =
         given(f.directional) ||
         (f.model == Model::blinn_phong && f.directional.specular && technique.viewer == Viewer::infinite);
@@ -175,10 +174,10 @@ void derive_half_vectors(Features &f, const Technique &technique) {
 /// Does the equation read V, P? What does not is the same program whatever the viewer and the position key say.
 bool needs_view(const Features &f) {
     const auto open_half = [](const LightFeatures &light) { return light.specular && !light.given_half_vector; };
-    const bool reflects = f.exponent != Exponent::zero &&
-                          (f.model == Model::phong ||
-                           (f.model == Model::blinn_phong &&
-                            (open_half(f.directional) || open_half(f.point) || open_half(f.spot))));
+    const bool reflects =
+        f.exponent != Exponent::zero &&
+        (f.model == Model::phong ||
+         (f.model == Model::blinn_phong && (open_half(f.directional) || open_half(f.point) || open_half(f.spot))));
     return f.normals && (f.two_sided || (f.specular() && (reflects || f.gate == Gate::view_facing)));
 }
 

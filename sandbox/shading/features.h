@@ -22,14 +22,14 @@ struct LightFeatures {
     bool constant = false; ///< attenuation coefficients that are in use
     bool linear = false;
     bool quadratic = false;
-    bool floor = false;              ///< the denominator can fall below its floor
-    bool on_surface = false;         ///< a light may lie on the surface: L = N where d = 0
-    bool given_half_vector = false;  ///< one H per light, the same everywhere
-    bool narrow_cone = false;        ///< some cone or soft edge is too narrow for float32 cosines
-    bool hard_cone = false;          ///< some cone has a hard edge
-    bool soft_cone = false;          ///< some cone has an inner cone
-    bool exponent = false;           ///< some spot exponent is not 0
-    bool no_exponent = false;        ///< ... and some are 0
+    bool floor = false;             ///< the denominator can fall below its floor
+    bool on_surface = false;        ///< a light may lie on the surface: L = N where d = 0
+    bool given_half_vector = false; ///< one H per light, the same everywhere
+    bool narrow_cone = false;       ///< some cone or soft edge is too narrow for float32 cosines
+    bool hard_cone = false;         ///< some cone has a hard edge
+    bool soft_cone = false;         ///< some cone has an inner cone
+    bool exponent = false;          ///< some spot exponent is not 0
+    bool no_exponent = false;       ///< ... and some are 0
     bool stable_exponent = false;
     auto operator<=>(const LightFeatures &) const = default;
 
@@ -97,7 +97,8 @@ int varying_components(const Features &features);
 /// n as it is raised: blinn_exponent_scale * shininess under Blinn-Phong.
 double raised_exponent(const Scene &scene, Model model, const Material &material);
 
-/// Throws InputError if the object needs more varyings than there are, naming it. `features` are what derive_features gave.
+/// Throws InputError if the object needs more varyings than there are, naming it. `features` are what derive_features
+/// gave.
 void require_drawable(const Features &features, const Scene &scene, const Technique &technique, const Object &object);
 
 constexpr double stable_power_from = 1024; ///< power=auto: the stable form from this n on

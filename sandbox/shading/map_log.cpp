@@ -26,8 +26,8 @@ std::string map_log(const std::string &log, const StageSource &source) {
             const auto number = std::stoul(match[1].matched ? match[1].str() : match[2].str());
             if (number >= 1 && number <= source.origins.size()) {
                 const LineOrigin &origin = source.origins[number - 1];
-                line = match.prefix().str() + origin.part + ":" + std::to_string(origin.line) + ":" +
-                       match.suffix().str();
+                line =
+                    match.prefix().str() + origin.part + ":" + std::to_string(origin.line) + ":" + match.suffix().str();
             }
         }
         result += line + "\n";

@@ -1,6 +1,6 @@
 #include "shading/needs.h"
 
-#include "scene/error.h"
+#include "image/error.h"
 
 #include <string>
 
@@ -12,8 +12,8 @@ bool lights_vertices(const Features &f) {
 }
 
 /// `vectors`: this stage is handed L, H or R and the distance instead of finding them from P.
-LightNeeds light_needs(const Features &f, const LightFeatures &light, const StageNeeds &stage, Stage which, bool positional,
-                       bool vectors) {
+LightNeeds light_needs(const Features &f, const LightFeatures &light, const StageNeeds &stage, Stage which,
+                       bool positional, bool vectors) {
     LightNeeds n;
     n.adds_ambient = stage.ambient && light.ambient;
     n.adds_attenuated_ambient = stage.ambient && light.attenuated_ambient;
@@ -41,8 +41,8 @@ LightNeeds light_needs(const Features &f, const LightFeatures &light, const Stag
     const bool varying = which == Stage::fragment;
     n.given_attenuation = attenuation && varying && f.attenuation == AttenuationAt::interpolated;
     n.finds_attenuation = attenuation && !n.given_attenuation;
-    n.given_distance = n.finds_attenuation && varying &&
-                       (vectors || f.attenuation == AttenuationAt::distance_interpolated);
+    n.given_distance =
+        n.finds_attenuation && varying && (vectors || f.attenuation == AttenuationAt::distance_interpolated);
     n.finds_distance = n.finds_attenuation && !n.given_distance;
     n.uses_R = mirrors && !vectors;
     n.uses_V = (n.adds_specular && f.gate == Gate::view_facing) || (own_half && !vectors) || (mirrors && vectors);
@@ -68,8 +68,8 @@ void derive_stage(StageNeeds &stage, const Features &f, Stage which, bool vector
                     stage.spot.adds_attenuated_ambient;
     stage.diffuse = stage.directional.adds_diffuse || stage.point.adds_diffuse || stage.spot.adds_diffuse;
     stage.specular = stage.directional.adds_specular || stage.point.adds_specular || stage.spot.adds_specular;
-    stage.separate_specular = stage.specular && f.base != Base::none && !f.base_times_specular &&
-                              f.frequency != Frequency::hybrid;
+    stage.separate_specular =
+        stage.specular && f.base != Base::none && !f.base_times_specular && f.frequency != Frequency::hybrid;
     stage.V |= stage.N && f.two_sided;
     stage.P |= stage.V && f.viewer == Viewer::local && !vectors;
 }
@@ -120,8 +120,9 @@ int varying_components(const Features &f) {
     }
     const ProgramNeeds needs = derive_needs(f);
     const StageNeeds &fragment = needs.fragment;
-    int vectors = int(needs.vertex.lit) + int(needs.vertex.separate_specular) + int(fragment.P && !f.wide) + int(fragment.N) +
-                  int(needs.vectors && fragment.V && f.viewer == Viewer::local) + int(f.base == Base::checker);
+    int vectors = int(needs.vertex.lit) + int(needs.vertex.separate_specular) + int(fragment.P && !f.wide) +
+                  int(fragment.N) + int(needs.vectors && fragment.V && f.viewer == Viewer::local) +
+                  int(f.base == Base::checker);
     int scalars = f.base == Base::texture ? 2 : 0;
     const auto add = [&](const LightNeeds &light, const LightFeatures &features) {
         vectors += features.count * (int(light.given_L) + int(light.given_H) + int(light.given_R));

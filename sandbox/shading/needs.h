@@ -22,7 +22,7 @@ struct LightNeeds {
 };
 
 struct StageNeeds {
-    bool lit = false; ///< the lighting equation runs here
+    bool lit = false;                                        ///< the lighting equation runs here
     bool ambient = false, diffuse = false, specular = false; ///< the terms of the lights that it adds
     bool constant_ambient = false;
     bool P = false, N = false, V = false, R = false;

@@ -1,6 +1,6 @@
 #include "shading/parts.h"
 
-#include "scene/error.h"
+#include "image/error.h"
 
 namespace sandbox {
 namespace {

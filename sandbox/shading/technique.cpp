@@ -1,6 +1,6 @@
 #include "shading/technique.h"
 
-#include "scene/error.h"
+#include "image/error.h"
 
 #include <algorithm>
 #include <array>
@@ -33,31 +33,30 @@ const std::vector<TechniqueKey> &table() {
                                {{"lambert", "diffuse only"},
                                 {"phong", "specular from the mirrored light direction: (R.V)^n"},
                                 {"blinn-phong", "specular from the half vector: (N.H)^n"}}),
-        key<&Technique::normals>(
-            "normals", "how normals go to world space", true,
-            {{"inverse-transpose", "right under every transform"},
-             {"model-matrix", "wrong under non-uniform scale: look at squashed objects"},
-             {"untransformed", "the light seems to turn with the object"}}),
+        key<&Technique::normals>("normals", "how normals go to world space", true,
+                                 {{"inverse-transpose", "right under every transform"},
+                                  {"model-matrix", "wrong under non-uniform scale: look at squashed objects"},
+                                  {"untransformed", "the light seems to turn with the object"}}),
         key<&Technique::renormalize>("renormalize", "make the interpolated normal unit again per pixel", true,
                                      {{"on", "right"}, {"off", "highlights dim in the middle of large triangles"}}),
-        key<&Technique::position>("position", "where lighting takes the surface to be", true,
-                                  {{"world", "right"},
-                                   {"w0", "w = 0 drops the translation: objects are lit as if they stood at the origin"}}),
+        key<&Technique::position>(
+            "position", "where lighting takes the surface to be", true,
+            {{"world", "right"},
+             {"w0", "w = 0 drops the translation: objects are lit as if they stood at the origin"}}),
         key<&Technique::gate>("gate", "where specular light is allowed", true,
                               {{"light-facing", "right: N.L > 0"},
                                {"view-facing", "N.V > 0: highlights on surfaces that the light cannot reach"},
                                {"none", "no test: highlights shine through from behind"}}),
-        key<&Technique::viewer>(
-            "viewer", "the direction to the viewer", true,
-            {{"local", "right: V from each point to the eye"},
-             {"infinite", "one V for the whole picture: highlights drift towards the edges"}}),
+        key<&Technique::viewer>("viewer", "the direction to the viewer", true,
+                                {{"local", "right: V from each point to the eye"},
+                                 {"infinite", "one V for the whole picture: highlights drift towards the edges"}}),
         key<&Technique::half_vector>(
             "half_vector", "the half vector of a light", true,
             {{"exact", "right: from each point's own L and V"},
              {"constant", "one per light, from the origin: a point light's highlight sits in the wrong place"}}),
-        key<&Technique::ambient>("ambient", "where a light's ambient term is added", true,
-                                 {{"everywhere", "right"},
-                                  {"where-lit", "only where N.L > 0: a step along the terminator"}}),
+        key<&Technique::ambient>(
+            "ambient", "where a light's ambient term is added", true,
+            {{"everywhere", "right"}, {"where-lit", "only where N.L > 0: a step along the terminator"}}),
         key<&Technique::direction>("direction", "the sign of a directional light's direction", true,
                                    {{"travel", "right: it points the way light travels"},
                                     {"unnegated-diffuse", "diffuse uses N.D: the side away from the light is lit"}}),

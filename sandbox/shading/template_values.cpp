@@ -116,7 +116,8 @@ void add_sums(TemplateValues &values, const Features &f, const StageNeeds &stage
     values.texts[light.kind + ".specular_sum"] = times.empty() ? specular : times + "(" + specular + ")";
 }
 
-void add_light(TemplateValues &values, const Features &f, const StageNeeds &stage, const LightPart &light, bool vertex) {
+void add_light(TemplateValues &values, const Features &f, const StageNeeds &stage, const LightPart &light,
+               bool vertex) {
     const LightFeatures &has = light.features;
     const LightNeeds &n = light.here;
     const LightNeeds &handed = light.fragment;
@@ -301,8 +302,8 @@ TemplateValues specialised_values(const Features &f, Stage which) {
     part("directional", "DirectionalLight", f.directional, &StageNeeds::directional);
     part("point", "PointLight", f.point, &StageNeeds::point);
     part("spot", "SpotLight", f.spot, &StageNeeds::spot);
-    values.flags["vertex.declares_lights"] = values.flags["directional.declared"] || values.flags["point.declared"] ||
-                                             values.flags["spot.declared"];
+    values.flags["vertex.declares_lights"] =
+        values.flags["directional.declared"] || values.flags["point.declared"] || values.flags["spot.declared"];
     return values;
 }
 

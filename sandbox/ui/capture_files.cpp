@@ -1,7 +1,7 @@
 #include "ui/capture_files.h"
 
 #include "capture/sidecar.h"
-#include "scene/error.h"
+#include "image/error.h"
 
 #include <cctype>
 #include <cstdio>

@@ -1,6 +1,6 @@
 #include "ui/glfw_window.h"
 
-#include "scene/error.h"
+#include "image/error.h"
 #include "ui/keys.h"
 
 #include <GLFW/glfw3.h>

@@ -82,7 +82,8 @@ TEST(Stability, TheTextbookAgreesWhereNothingIsExtreme) {
     light.position = {2, 3, 4};
     light.attenuation = {1, 0.1, 0.01};
     one.scene.lights = {light};
-    EXPECT_LT(run_stability_case(one, fake(0), small).textbook.error, 3e-5); // n = 32 times float's rounding, some times
+    EXPECT_LT(run_stability_case(one, fake(0), small).textbook.error,
+              3e-5); // n = 32 times float's rounding, some times
 }
 
 TEST(Stability, EveryCaseHasAStoryAndANameOfItsOwn) {

@@ -1,7 +1,7 @@
 #include "measure/work_precision.h"
 
+#include "image/error.h"
 #include "measure/work_precision_findings.h"
-#include "scene/error.h"
 
 #include <algorithm>
 #include <cmath>

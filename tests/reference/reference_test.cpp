@@ -1,7 +1,7 @@
 #include "reference/reference.h"
 
+#include "image/error.h"
 #include "reference/reference_scenes.h"
-#include "scene/error.h"
 
 #include <algorithm>
 #include <cmath>

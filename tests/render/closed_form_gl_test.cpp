@@ -176,7 +176,7 @@ TEST_F(ClosedForm, TheFaultsDoWhatTheySay) {
     scene.objects[0].transform.translate = {0, 1, 0};
     scene.lights = {point_at({0, 2, 0})};
     scene.lights[0].attenuation = {0, 1, 0};
-    EXPECT_NEAR(middle(scene, "per-pixel/lambert").r, 1, rounding);                // d = 1
+    EXPECT_NEAR(middle(scene, "per-pixel/lambert").r, 1, rounding);               // d = 1
     EXPECT_NEAR(middle(scene, "per-pixel/lambert:position=w0").r, 0.5, rounding); // lit as if at the origin: d = 2
 }
 

@@ -1,5 +1,5 @@
+#include "image/error.h"
 #include "render/renderer.h"
-#include "scene/error.h"
 #include "scene/scene_file.h"
 #include "tools/feature_scenes.h"
 #include "tools/gl_test.h"
@@ -73,13 +73,13 @@ TEST_F(Metamorphic, BuiltInScenesLookTheSameUnderTheFullProgram) {
     }
 }
 
-/// A quarter turn about y and a shift, both exact in binary, of everything there is: the picture must not care where the
-/// world's origin is. Faults that are about the origin (w0, constant half vector) are left out.
+/// A quarter turn about y and a shift, both exact in binary, of everything there is: the picture must not care where
+/// the world's origin is. Faults that are about the origin (w0, constant half vector) are left out.
 TEST_F(Metamorphic, MovingSceneAndCameraTogetherGivesTheSamePicture) {
     const auto turn = [](const glm::dvec3 &v) { return glm::dvec3(v.z, v.y, -v.x); };
     const auto move = [&](const glm::dvec3 &p) { return turn(p) + glm::dvec3(64, -32, 128); };
-    for (const char *text : {"per-pixel/blinn-phong", "per-vertex/phong", "interpolated-vectors/blinn-phong", "flat/phong",
-                             "hybrid/phong", "per-pixel/phong:viewer=infinite,gate=view-facing"}) {
+    for (const char *text : {"per-pixel/blinn-phong", "per-vertex/phong", "interpolated-vectors/blinn-phong",
+                             "flat/phong", "hybrid/phong", "per-pixel/phong:viewer=infinite,gate=view-facing"}) {
         for (const Scene &scene : feature_scenes()) {
             Scene moved = scene;
             moved.camera.position = move(scene.camera.position);

@@ -1,6 +1,6 @@
+#include "image/error.h"
 #include "render/gl_program.h"
 #include "render/renderer.h"
-#include "scene/error.h"
 #include "tools/feature_scenes.h"
 #include "tools/gl_test.h"
 #include "tools/technique_walk.h"

@@ -38,15 +38,28 @@ TEST_F(StabilityOnTheRenderer, EveryCaseKeepsItsBound) {
 
 /// A story must be true: these break in the textbook's form, by its bound or by pixels that are not finite.
 TEST_F(StabilityOnTheRenderer, TheTextbookBreaksWhereTheStoryIs) {
-    const std::set<std::string> broken{
-        "exponent-0-phong",           "exponent-1e5-phong-point",        "exponent-1e7-phong-directional",
-        "exponent-1e7-blinn-phong-grazing", "geometry-light-on-the-surface", "geometry-light-behind-the-surface",
-        "attenuation-kc-0-on-the-surface",  "attenuation-coefficients-1e-30", "spot-cutoff-90",
-        "spot-exponent-1e5",          "spot-narrow-cone",                "spot-narrow-hard-cone",
-        "transform-scale-1e13",       "transform-scale-1e-13",           "transform-scale-1e-6",
-        "transform-singular",         "vertices-opposite-normals",       "placement-1e6",
-        "placement-1e7",              "placement-mesh-far-from-its-origin", "placement-one-huge-triangle",
-        "magnitude-everything-1e6"};
+    const std::set<std::string> broken{"exponent-0-phong",
+                                       "exponent-1e5-phong-point",
+                                       "exponent-1e7-phong-directional",
+                                       "exponent-1e7-blinn-phong-grazing",
+                                       "geometry-light-on-the-surface",
+                                       "geometry-light-behind-the-surface",
+                                       "attenuation-kc-0-on-the-surface",
+                                       "attenuation-coefficients-1e-30",
+                                       "spot-cutoff-90",
+                                       "spot-exponent-1e5",
+                                       "spot-narrow-cone",
+                                       "spot-narrow-hard-cone",
+                                       "transform-scale-1e13",
+                                       "transform-scale-1e-13",
+                                       "transform-scale-1e-6",
+                                       "transform-singular",
+                                       "vertices-opposite-normals",
+                                       "placement-1e6",
+                                       "placement-1e7",
+                                       "placement-mesh-far-from-its-origin",
+                                       "placement-one-huge-triangle",
+                                       "magnitude-everything-1e6"};
     std::size_t seen = 0;
     for (const StabilityCase &one : stability_cases()) {
         if (broken.contains(one.name)) {
@@ -76,8 +89,7 @@ TEST_F(StabilityOnTheRenderer, RandomExtremeScenesAreFiniteAndRight) {
         const auto resources = renderer_.resources().load(one.scene);
         const ReferenceFrame truth = render_reference(one.scene, resources, one.technique, {32, 32});
         const Frame frame = renderer_.render(one.scene, one.technique, {32, 32}, true);
-        const StabilityRow row =
-            judge_stability(frame, truth, one.technique, 1.0 / 255, ErrorUnit::brightest_value);
+        const StabilityRow row = judge_stability(frame, truth, one.technique, 1.0 / 255, ErrorUnit::brightest_value);
         compared += row.metrics.compared_pixels;
         worst = std::max(worst, row.error);
         const bool fine = row.metrics.nonfinite_pixels == 0 && row.error <= 1.0 / 255;
@@ -94,10 +106,10 @@ TEST_F(StabilityOnTheRenderer, RandomExtremeScenesAreFiniteAndRight) {
                           << (failed <= 3 ? "\n" + scene_text(one.scene) : "");
     }
     std::cout << count << " scenes, " << compared << " compared pixels, worst error " << worst << ", " << failed
-              << " failed; the textbook's form breaks "
-              << textbook_broken << " of the fifth of them that is lit per pixel\n";
+              << " failed; the textbook's form breaks " << textbook_broken
+              << " of the fifth of them that is lit per pixel\n";
     EXPECT_GE(100 * textbook_broken, count); // else the scenes would be too tame to tell
-    EXPECT_GT(compared, 100 * count); // most scenes show something
+    EXPECT_GT(compared, 100 * count);        // most scenes show something
 }
 
 } // namespace

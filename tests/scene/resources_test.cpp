@@ -67,13 +67,14 @@ TEST(Resources, AFailedLoadChangesNothing) {
 
 TEST(Resources, NameWhatIsMissingAndWhatThereIs) {
     Resources resources(Assets("assets"));
-    EXPECT_EQ(
-        error_of([&] { resources.load(scene_of({object(BoxShape{}, "woood.png")})); }),
-        "objects[0].material.texture: woood.png: no such texture; looked for it beside the scene file and among the built-in ones (bricks.png, "
-        "checker.png, marble.png, tiles.png, wood.png)");
+    EXPECT_EQ(error_of([&] { resources.load(scene_of({object(BoxShape{}, "woood.png")})); }),
+              "objects[0].material.texture: woood.png: no such texture; looked for it beside the scene file and among "
+              "the built-in ones (bricks.png, "
+              "checker.png, marble.png, tiles.png, wood.png)");
     const std::string no_model = error_of([&] { resources.load(scene_of({object(ObjShape{"vaze.obj"})})); });
-    EXPECT_TRUE(no_model.starts_with("objects[0].mesh.obj: vaze.obj: no such model; looked for it beside the scene file "
-                                     "and among the built-in ones ("))
+    EXPECT_TRUE(
+        no_model.starts_with("objects[0].mesh.obj: vaze.obj: no such model; looked for it beside the scene file "
+                             "and among the built-in ones ("))
         << no_model;
     EXPECT_NE(no_model.find("vase.obj"), std::string::npos);
     EXPECT_EQ(error_of([&] { resources.load(scene_of({object(ObjShape{"/no/such.obj"})})); }),

@@ -1,6 +1,6 @@
 #include "shading/program_source.h"
 
-#include "scene/error.h"
+#include "image/error.h"
 #include "shading/template_values.h"
 #include "tools/feature_scenes.h"
 #include "tools/technique_walk.h"
@@ -41,9 +41,10 @@ Scene named(const std::string &name) {
 
 TEST(ProgramText, DirectionalLambertHoldsNothingElse) {
     const std::string text = text_of(named("directional"), "per-pixel/lambert");
-    for (const char *word : {"pow", "for (", "PointLight", "SpotLight", "uv", "v_position", "V =", "half", "shininess",
-                             "specular", "attenuation", "constant", "cutoff", "ambient", "normal_matrix", "mat4 model;",
-                             "inverse", "texture", "base", "emission", "object_id", "Fault"}) {
+    for (const char *word : {"pow",    "for (",    "PointLight",    "SpotLight",   "uv",          "v_position",
+                             "V =",    "half",     "shininess",     "specular",    "attenuation", "constant",
+                             "cutoff", "ambient",  "normal_matrix", "mat4 model;", "inverse",     "texture",
+                             "base",   "emission", "object_id",     "Fault"}) {
         EXPECT_FALSE(has(text, word)) << word << " in\n" << text;
     }
     EXPECT_TRUE(has(text, "max(n_dot_l, 0.0)"));

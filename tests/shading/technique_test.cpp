@@ -48,8 +48,7 @@ TEST(Technique, KeysThatCanHaveNoEffectAreRefused) {
 
 TEST(Technique, WrongWordsAreNamedWithWhatWasExpected) {
     EXPECT_NE(error_of([] { parse_technique("gouraud/phong"); }).find("flat|per-vertex|per-pixel"), std::string::npos);
-    EXPECT_NE(error_of([] { parse_technique("per-pixel/oren"); }).find("lambert|phong|blinn-phong"),
-              std::string::npos);
+    EXPECT_NE(error_of([] { parse_technique("per-pixel/oren"); }).find("lambert|phong|blinn-phong"), std::string::npos);
     EXPECT_NE(error_of([] { parse_technique("per-pixel/phong:colour=red"); }).find("got 'colour=red'"),
               std::string::npos);
     EXPECT_NE(error_of([] { parse_technique("per-pixel/phong:power="); }).find("auto|textbook|stable"),

@@ -40,9 +40,7 @@ TEST_F(Template, ReplacesTextsAndIncludesPartsForAKind) {
     EXPECT_EQ(expand_text("#include \"b.glsl\" with kind\n", "#if light.on\nyes\n#endif\n").text, "yes\n");
 }
 
-TEST_F(Template, RunsOfBlankLinesBecomeOneAndNoneLeads) {
-    EXPECT_EQ(expand_text("\n\na\n\n\n\nb\n").text, "a\n\nb\n");
-}
+TEST_F(Template, RunsOfBlankLinesBecomeOneAndNoneLeads) { EXPECT_EQ(expand_text("\n\na\n\n\n\nb\n").text, "a\n\nb\n"); }
 
 TEST_F(Template, EveryLineKnowsItsOrigin) {
     const StageSource source = expand_text("a\n#if on\n#include \"b.glsl\"\n#endif\nc\n", "x\n\ny\n");

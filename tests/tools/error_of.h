@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/error.h"
+#include "image/error.h"
 
 #include <string>
 

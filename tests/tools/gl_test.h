@@ -1,7 +1,7 @@
 #pragma once
 
+#include "image/error.h"
 #include "render/context.h"
-#include "scene/error.h"
 
 #include <cstdlib>
 #include <gtest/gtest.h>

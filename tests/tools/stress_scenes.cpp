@@ -40,11 +40,16 @@ class Dice {
 
 Shape any_shape(Dice &dice) {
     switch (dice.next() % 5) {
-    case 0: return SphereShape{1, 16, 24};
-    case 1: return BoxShape{{1, 1, 1}, 3};
-    case 2: return PlaneShape{{2, 2}, 5};
-    case 3: return CylinderShape{0.5, 1, 24, 2, true};
-    default: return TorusShape{1, 0.4, 24, 12};
+    case 0:
+        return SphereShape{1, 16, 24};
+    case 1:
+        return BoxShape{{1, 1, 1}, 3};
+    case 2:
+        return PlaneShape{{2, 2}, 5};
+    case 3:
+        return CylinderShape{0.5, 1, 24, 2, true};
+    default:
+        return TorusShape{1, 0.4, 24, 12};
     }
 }
 

@@ -32,9 +32,13 @@ bool make_context() {
     if (eglInitialize(display, nullptr, nullptr) != EGL_TRUE || eglBindAPI(EGL_OPENGL_API) != EGL_TRUE) {
         return false;
     }
-    constexpr std::array<EGLint, 7> attributes{EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 3,
+    constexpr std::array<EGLint, 7> attributes{EGL_CONTEXT_MAJOR_VERSION,
+                                               3,
+                                               EGL_CONTEXT_MINOR_VERSION,
+                                               3,
                                                EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                               EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT, EGL_NONE};
+                                               EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT,
+                                               EGL_NONE};
     const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
     return context != EGL_NO_CONTEXT && eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_TRUE;
 }
@@ -124,9 +128,9 @@ Frame fixed_function(const Scene &scene, const Mesh &mesh) {
     }
     glMatrixMode(GL_PROJECTION);
     const Camera &camera = scene.camera;
-    const glm::dmat4 projection = glm::perspective(glm::radians(camera.fov_y_degrees),
-                                                   size.width / static_cast<double>(size.height), camera.near_plane,
-                                                   camera.far_plane);
+    const glm::dmat4 projection =
+        glm::perspective(glm::radians(camera.fov_y_degrees), size.width / static_cast<double>(size.height),
+                         camera.near_plane, camera.far_plane);
     glLoadMatrixd(glm::value_ptr(projection));
     put_lights(scene);
     draw(scene, mesh);
@@ -199,8 +203,7 @@ int main() {
     bool good = true;
     for (const Scene &scene : scenes()) {
         const auto own = resources.load(scene);
-        const ReferenceFrame truth =
-            render_reference(scene, own, parse_technique("per-vertex/blinn-phong"), size);
+        const ReferenceFrame truth = render_reference(scene, own, parse_technique("per-vertex/blinn-phong"), size);
         const Metrics metrics = compare(fixed_function(scene, *own[0].mesh), truth);
         std::printf("%-28s largest difference %.2e over %zu pixels (%zu at the outline, %zu at edges, %zu at jumps)\n",
                     scene.name.c_str(), metrics.norms.max_abs, metrics.compared_pixels, metrics.silhouette_pixels,
