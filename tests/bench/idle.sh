@@ -6,7 +6,7 @@ folder=$(mktemp -d)
 window= server=
 trap 'kill $window $server 2>/dev/null; rm -rf "$folder"' EXIT
 exec 3<>"$folder/display"
-Xvfb -displayfd 3 -screen 0 1280x720x24 >/dev/null 2>&1 &
+Xvfb -displayfd 3 -noreset -screen 0 1280x720x24 >/dev/null 2>&1 &
 server=$!
 until [ -s "$folder/display" ]; do sleep 0.1; done
 DISPLAY=":$(cat "$folder/display")" "$@" &

@@ -28,7 +28,8 @@ fail() { echo "FAILED: $*"; failures=$((failures + 1)); }
 pass() { echo "ok: $*"; }
 
 exec 3<>"$folder/display"
-Xvfb -displayfd 3 -screen 0 1280x720x24 >/dev/null 2>&1 &
+# -noreset: when the last window closes the server would start afresh, and refuse a window that opens meanwhile.
+Xvfb -displayfd 3 -noreset -screen 0 1280x720x24 >/dev/null 2>&1 &
 server=$!
 for _ in $(seq 100); do [ -s "$folder/display" ] && break; sleep 0.1; done
 export DISPLAY=":$(cat "$folder/display")"
