@@ -4,13 +4,12 @@
 #include "commands/progress_bar.h"
 #include "commands/session.h"
 #include "image/image_file.h"
+#include "measure/drawn_by.h"
 #include "measure/report.h"
 #include "measure/report_pictures.h"
 
 #include <atomic>
-#include <chrono>
 #include <csignal>
-#include <ctime>
 #include <memory>
 #include <optional>
 
@@ -47,35 +46,12 @@ PlanOptions plan_options(const ReportFlags &flags) {
     return options;
 }
 
-std::string utc_now() {
-    const std::time_t now = std::time(nullptr);
-    std::tm parts{};
-    gmtime_r(&now, &parts);
-    char text[32];
-    std::strftime(text, sizeof text, "%Y-%m-%d %H:%M", &parts);
-    return text;
-}
-
 ReportRun measure(const ReportFlags &flags, const CommonOptions &common, const PlanOptions &options,
                   const Scene &scene) {
     DrawingSession session(common);
-    Renderer &renderer = session.renderer();
     Target target(options.size);
-    const DrawRows draw{
-        [&](const Scene &s) { return renderer.resources().load(s); },
-        [&](const Scene &s, const Technique &t) { return renderer.render(s, t, options.size, true); },
-        [&](const Scene &s, const Technique &t) {
-            const auto start = std::chrono::steady_clock::now();
-            renderer.draw(s, t, target);
-            Renderer::finish();
-            return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-        }};
-    ReportRun run;
-    run.machine = this_machine();
-    run.machine.renderer = session.context().renderer();
-    run.machine.opengl = session.context().version();
-    run.version = SANDBOX_VERSION;
-    run.date = utc_now();
+    const DrawRows draw = rows_drawn_by(session.renderer(), target);
+    ReportRun run = new_report_run(session.context().renderer(), session.context().version());
     run.quick = flags.quick;
     ProgressBar bar("report");
     std::signal(SIGINT, stop);

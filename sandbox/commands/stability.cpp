@@ -1,19 +1,14 @@
-#include "measure/stability.h"
-
 #include "commands/commands.h"
+
 #include "commands/interrupt.h"
 #include "commands/progress_bar.h"
 #include "commands/session.h"
-#include "image/image_file.h"
+#include "measure/drawn_by.h"
 
-#include <chrono>
 #include <memory>
 
 namespace sandbox {
 namespace {
-
-/// Costs are taken on a picture large enough for the fragments to count.
-constexpr Size timed_size{256, 256};
 
 struct StabilityFlags {
     std::filesystem::path out;
@@ -42,17 +37,8 @@ int run_stability(const StabilityFlags &flags, const CommonOptions &common) {
         throw InputError("--out: cannot make the folder '" + flags.out.string() + "'");
     }
     DrawingSession session(common);
-    Renderer &renderer = session.renderer();
-    Target target(timed_size);
-    const StabilityDraw draw{
-        [&](const Scene &s) { return renderer.resources().load(s); },
-        [&](const Scene &s, const Technique &t, Size size) { return renderer.render(s, t, size, true); },
-        [&](const Scene &s, const Technique &t) {
-            const auto start = std::chrono::steady_clock::now();
-            renderer.draw(s, t, target);
-            Renderer::finish();
-            return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-        }};
+    Target target(stability_timed_size);
+    const StabilityDraw draw = cases_drawn_by(session.renderer(), target);
     StabilityRun run;
     run.renderer = session.context().renderer();
     run.version = SANDBOX_VERSION;

@@ -36,6 +36,9 @@ struct ReportRun {
     std::vector<ReportPicture> pictures; ///< HTML only
 };
 
+/// A run that begins now, on this machine, by this version; nothing is measured yet.
+ReportRun new_report_run(std::string renderer, std::string opengl);
+
 /// {"format": ..., "runs": [...]}; the keys are documented in report_json.cpp.
 std::string report_json(const std::vector<ReportRun> &runs);
 /// The runs of a report.json, without their pictures. `name` is used in messages. Throws InputError.

@@ -1,8 +1,10 @@
 #include "measure/report.h"
 
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <thread>
+#include <utility>
 
 namespace sandbox {
 namespace {
@@ -31,6 +33,15 @@ std::string build_name() {
 #endif
 }
 
+std::string utc_now() {
+    const std::time_t now = std::time(nullptr);
+    std::tm parts{};
+    gmtime_r(&now, &parts);
+    char text[32];
+    std::strftime(text, sizeof text, "%Y-%m-%d %H:%M", &parts);
+    return text;
+}
+
 } // namespace
 
 Machine this_machine() {
@@ -41,6 +52,16 @@ Machine this_machine() {
             .threads = static_cast<int>(std::thread::hardware_concurrency()),
             .llvmpipe_threads = llvmpipe_threads != nullptr ? llvmpipe_threads : "",
             .build = build_name()};
+}
+
+ReportRun new_report_run(std::string renderer, std::string opengl) {
+    ReportRun run;
+    run.machine = this_machine();
+    run.machine.renderer = std::move(renderer);
+    run.machine.opengl = std::move(opengl);
+    run.version = SANDBOX_VERSION;
+    run.date = utc_now();
+    return run;
 }
 
 } // namespace sandbox

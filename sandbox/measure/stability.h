@@ -68,6 +68,8 @@ struct StabilityDraw {
 };
 
 constexpr Size stability_size{129, 129}; ///< odd: one pixel looks straight ahead
+/// Costs are taken on a picture large enough for the fragments to count.
+constexpr Size stability_timed_size{256, 256};
 /// Fewer compared pixels than this share of the picture, or more pixels than this that show another object, and a case
 /// fails: what is not there cannot be judged.
 constexpr double least_compared_share = 0.01;

@@ -1,13 +1,11 @@
 #include "ui/frame.h"
 
-#include "ui/glsl_panel.h"
 #include "ui/keys.h"
 #include "ui/panels.h"
 #include "ui/theme.h"
 #include "ui/viewports.h"
 
 #include <algorithm>
-#include <cmath>
 #include <imgui.h>
 
 namespace sandbox {
@@ -40,6 +38,19 @@ void draw_side(Session &session, ImVec2 position, ImVec2 size) {
     ImGui::End();
 }
 
+/// The lowest `height` of the room at `corner`.
+void draw_bottom(Session &session, ViewPainter &painter, BottomPanel &panel, const Fonts &fonts, ImVec2 corner,
+                 ImVec2 room, float height) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    const bool open = begin_fixed("bottom", {corner.x, corner.y + room.y - height}, {room.x, height});
+    ImGui::PopStyleVar(2);
+    if (open) {
+        panel.draw(session, painter, fonts, room.y);
+    }
+    ImGui::End();
+}
+
 } // namespace
 
 void status_line(Session &session, float height) {
@@ -53,23 +64,23 @@ void status_line(Session &session, float height) {
     }
 }
 
-void draw_frame(Session &session, ViewPainter &painter, const Fonts &fonts) {
+void draw_frame(Session &session, ViewPainter &painter, BottomPanel &bottom_panel, const Fonts &fonts) {
     session.hint.clear();
     const bool panels = session.appearance.panels;
     if (panels) {
         menu_bar(session);
     }
     const ImGuiViewport &window = *ImGui::GetMainViewport(); // after the menu bar took its part
-    const float bottom = panels ? ImGui::GetFrameHeight() : 0;
+    const float status = panels ? ImGui::GetFrameHeight() : 0;
     const float side = panels ? side_width(window) : 0;
-    const float glsl = panels && session.appearance.glsl ? std::floor(window.WorkSize.y * 0.42F) : 0;
     const ImVec2 origin = window.WorkPos;
-    const ImVec2 room{std::max(window.WorkSize.x - side, 32.0F), std::max(window.WorkSize.y - bottom, 32.0F)};
+    const ImVec2 room{std::max(window.WorkSize.x - side, 32.0F), std::max(window.WorkSize.y - status, 32.0F)};
+    const float bottom = panels ? BottomPanel::height(session, room.y) : 0;
     if (panels) {
         draw_side(session, origin, {side, room.y});
     }
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-    if (begin_fixed("views", {origin.x + side, origin.y}, {room.x, std::max(room.y - glsl, 32.0F)}, still_window)) {
+    if (begin_fixed("views", {origin.x + side, origin.y}, {room.x, std::max(room.y - bottom, 32.0F)}, still_window)) {
         viewports(session, painter);
         if (ImGui::IsWindowFocused() && !ImGui::IsAnyItemActive()) {
             ImGui::SetWindowFocus("side"); // pictures take the mouse, panels the arrow keys
@@ -77,17 +88,14 @@ void draw_frame(Session &session, ViewPainter &painter, const Fonts &fonts) {
     }
     ImGui::End();
     ImGui::PopStyleVar();
-    if (glsl > 0) {
-        if (begin_fixed("glsl", {origin.x + side, origin.y + room.y - glsl}, {room.x, glsl})) {
-            glsl_panel(session, painter, fonts);
-        }
-        ImGui::End();
+    if (panels) {
+        draw_bottom(session, painter, bottom_panel, fonts, {origin.x + side, origin.y}, room, bottom);
     }
     if (panels) {
         ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
         ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-        if (begin_fixed("status", {origin.x, origin.y + room.y}, {window.WorkSize.x, bottom}, still_window)) {
-            status_line(session, bottom);
+        if (begin_fixed("status", {origin.x, origin.y + room.y}, {window.WorkSize.x, status}, still_window)) {
+            status_line(session, status);
         }
         ImGui::End();
         ImGui::PopStyleVar();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/bottom_panel.h"
 #include "ui/fonts.h"
 #include "ui/session.h"
 #include "ui/view_painter.h"
@@ -7,7 +8,7 @@
 namespace sandbox {
 
 /// Everything inside the window, once: panels edit the session, pictures are brought up to date.
-void draw_frame(Session &session, ViewPainter &painter, const Fonts &fonts);
+void draw_frame(Session &session, ViewPainter &painter, BottomPanel &bottom, const Fonts &fonts);
 
 void menu_bar(Session &session);
 /// The bottom line: a hint about what the mouse is over, else the last message. `height` in ImGui's units.

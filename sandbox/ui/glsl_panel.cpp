@@ -1,4 +1,4 @@
-#include "ui/glsl_panel.h"
+#include "ui/tab_content.h"
 
 #include "shading/program_source.h"
 #include "ui/line_diff.h"
@@ -64,7 +64,8 @@ void draw_line(Session &session, const Listing &own, const Listing &other, std::
 void draw_listing(Session &session, const Listing &own, const Listing &other, std::size_t stage, bool right,
                   const Fonts &fonts) {
     const std::vector<bool> missing = lines_missing(own.lines[stage], other.lines[stage]);
-    ImGui::BeginChild(right ? "B" : "A", {0, 0}, true, ImGuiWindowFlags_HorizontalScrollbar);
+    const float below = ImGui::GetStyle().CellPadding.y + 1;
+    ImGui::BeginChild(right ? "B" : "A", {0, -below}, true, ImGuiWindowFlags_HorizontalScrollbar);
     ImGui::PushFont(fonts.code);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {4, 0});
     ImGuiListClipper clipper;
@@ -107,9 +108,18 @@ void column_title(Session &session, const Listing &listing, std::size_t stage, b
     ImGui::PopID();
 }
 
+/// The programs of A and B for the shown object, beside each other. Lines that the other side lacks are marked in the
+/// side's colour, lines that stand in its other stage ("moved") with an arrow.
+class GlslTab final : public TabContent {
+  public:
+    void draw(Session &session, ViewPainter &painter, const Fonts &fonts) override;
+};
+
 } // namespace
 
-void glsl_panel(Session &session, ViewPainter &painter, const Fonts &fonts) {
+std::unique_ptr<TabContent> glsl_tab(const DrawingSupplies &) { return std::make_unique<GlslTab>(); }
+
+void GlslTab::draw(Session &session, ViewPainter &painter, const Fonts &fonts) {
     const auto &objects = session.document.scene.objects;
     if (objects.empty()) {
         ImGui::TextUnformatted("This scene has no object.");

@@ -24,6 +24,7 @@ void next_value(Session &session, std::size_t key_index, bool right) {
 template <bool Right> void next_frequency(Session &s) { next_value(s, 0, Right); }
 template <bool Right> void next_model(Session &s) { next_value(s, 1, Right); }
 template <ViewMode Mode> void view(Session &s) { s.view.mode = Mode; }
+template <BottomTab Tab> void tab(Session &s) { toggle_tab(s, Tab); }
 
 void scale_by(Session &s, float factor) { s.appearance.scale = std::clamp(s.appearance.scale * factor, 0.6F, 3.0F); }
 
@@ -51,7 +52,8 @@ constexpr Shortcut shortcuts[] = {
     {plain, GLFW_KEY_D, "D", "display linear or sRGB",
      [](Session &s) { s.document.display = s.document.display == Display::linear ? Display::srgb : Display::linear; }},
     {plain, GLFW_KEY_R, "R", "camera as opened", [](Session &s) { reset_camera(s.document); }},
-    {plain, GLFW_KEY_G, "G", "the GLSL of A and B", [](Session &s) { s.appearance.glsl = !s.appearance.glsl; }},
+    {plain, GLFW_KEY_E, "E", "error against run time", tab<BottomTab::error_time>},
+    {plain, GLFW_KEY_G, "G", "the GLSL of A and B", tab<BottomTab::glsl>},
     {control, GLFW_KEY_Z, "Ctrl+Z", "undo", undo, true},
     {control | shift, GLFW_KEY_Z, "Ctrl+Shift+Z", "redo", redo, true},
     {control, GLFW_KEY_Y, "", "", redo, true},

@@ -68,7 +68,12 @@ void window_menu(Session &session) {
     }
     ImGui::Separator();
     ImGui::MenuItem("Panels", "Tab", &look.panels);
-    ImGui::MenuItem("GLSL", "G", &look.glsl);
+    if (ImGui::MenuItem("Error vs run time", "E", look.tab == BottomTab::error_time)) {
+        toggle_tab(session, BottomTab::error_time);
+    }
+    if (ImGui::MenuItem("GLSL", "G", look.tab == BottomTab::glsl)) {
+        toggle_tab(session, BottomTab::glsl);
+    }
     ImGui::MenuItem("Full screen", "F11", &look.full_screen);
     ImGui::Separator();
     ImGui::TextColored(quiet_text(), "Ctrl + and Ctrl - scale everything");

@@ -31,6 +31,13 @@ void show_document(Session &session, const Document &document) {
     keep_object_valid(session);
 }
 
+void toggle_tab(Session &session, BottomTab tab) {
+    Appearance &look = session.appearance;
+    const bool shown = look.panels && look.tab == tab;
+    look.tab = shown ? std::nullopt : std::optional(tab);
+    look.panels = true;
+}
+
 void undo(Session &session) {
     session.history.record(session.document);
     session.document = session.history.undo();

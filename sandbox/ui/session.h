@@ -22,13 +22,16 @@ struct ViewSettings {
     bool wireframe = false;
 };
 
+enum class BottomTab { error_time, glsl };
+
 struct Appearance {
     bool dark = true;
     float scale = 1; ///< of text and controls
     bool panels = true;
     bool full_screen = false;
     bool key_list = false;
-    bool glsl = false;
+    std::optional<BottomTab> tab; ///< of the bottom panel; none: it is folded
+    float bottom_share = 0.5F;    ///< of the height of pictures and bottom panel, while it is open
 };
 
 /// What the status line says until the next one.
@@ -73,6 +76,8 @@ struct Session {
 
 /// Goes on with another document, as one step that can be undone.
 void show_document(Session &session, const Document &document);
+/// Opens the bottom panel at `tab`; folds it where that is what it shows.
+void toggle_tab(Session &session, BottomTab tab);
 void undo(Session &session);
 void redo(Session &session);
 

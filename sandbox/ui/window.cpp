@@ -11,6 +11,7 @@
 #include "ui/open_file.h"
 
 #include <GLFW/glfw3.h>
+#include <algorithm>
 #include <exception>
 #include <imgui.h>
 #include <memory>
@@ -49,6 +50,7 @@ class Window {
     Gui gui_;
     ViewPainter painter_;
     Session session_;
+    BottomPanel bottom_;
     std::string shown_title_;
     int frames_left_ = settling_frames;
 };
@@ -56,7 +58,8 @@ class Window {
 Window::Window(const WindowOptions &options)
     : assets_(options.assets), polls_shaders_(!options.shaders.folder().empty()), window_(first_size),
       context_(Context::of_window(window_.handle())), gui_(window_.handle(), window_.content_scale()),
-      painter_(options.assets, options.shaders), session_(first_document(options)) {
+      painter_(options.assets, options.shaders), session_(first_document(options)),
+      bottom_({options.assets, options.shaders, {context_->renderer(), context_->version()}}) {
     session_.view.mode = options.file.mode.value_or(session_.view.mode);
     session_.scenes = builtin_scenes(assets_);
     session_.textures = assets_.list("textures/");
@@ -94,6 +97,9 @@ void Window::take_input() {
     const Arrivals arrivals = window_.take_arrivals();
     const bool reloaded = polls_shaders_ && painter_.reload_changed_shaders();
     frames_left_ = arrivals.any || reloaded ? settling_frames : frames_left_;
+    if (bottom_.take_news(session_)) {
+        frames_left_ = std::max(frames_left_, 1); // few frames beside what is being measured
+    }
     const bool typing = ImGui::GetIO().WantTextInput;
     if (!ImGui::IsAnyItemActive() || typing) {
         for (const KeyPress &press : arrivals.keys) {
@@ -122,7 +128,7 @@ void Window::draw() {
     }
     window_.set_full_screen(session_.appearance.full_screen);
     gui_.begin_frame(session_.appearance);
-    draw_frame(session_, painter_, gui_.fonts());
+    draw_frame(session_, painter_, bottom_, gui_.fonts());
     begin_window_surface(size);
     gui_.end_frame();
     glfwSwapBuffers(window_.handle());

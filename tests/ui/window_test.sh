@@ -35,8 +35,8 @@ for _ in $(seq 100); do [ -s "$folder/display" ] && break; sleep 0.1; done
 export DISPLAY=":$(cat "$folder/display")"
 
 # The pixels of the two pictures, without names, times and panels.
-pictures() { import -window root -crop 900x600+360+60 +repage rgb:- | md5sum; }
-lower_half() { import -window root -crop 900x300+360+360 +repage rgb:- | md5sum; }
+pictures() { import -window root -crop 900x570+360+60 +repage rgb:- | md5sum; }
+lower_half() { import -window root -crop 900x270+360+360 +repage rgb:- | md5sum; }
 # Waits until the pictures are the same as, or other than, HASH; at most 20 s.
 await() { # same|other HASH
     for _ in $(seq 100); do
@@ -77,7 +77,7 @@ quit() {
 
 start
 opened=$(settled)
-colors=$(import -window root -crop 900x600+360+60 +repage -format '%k' info:)
+colors=$(import -window root -crop 900x570+360+60 +repage -format '%k' info:)
 if [ "$colors" -gt 1000 ]; then pass "opens on a picture"; else fail "opens on a picture: $colors colours: $(cat out.txt)"; fi
 
 xdotool mousemove 291 106 click 1 # A: flat

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "measure/stability.h"
+#include "measure/work_precision.h"
+
+#include <chrono>
+
+/// A renderer as the measurements want it. This room cannot name render/'s Renderer and Target, so they are parameters:
+/// the commands and the window hand over theirs, tests may hand over fakes. Both must outlive what is returned.
+namespace sandbox {
+
+/// Draws into `target` and waits until done; milliseconds of the wall clock.
+template <typename Renderer, typename Target>
+double timed_by(Renderer &renderer, Target &target, const Scene &scene, const Technique &technique) {
+    const auto start = std::chrono::steady_clock::now();
+    renderer.draw(scene, technique, target);
+    renderer.finish();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Pictures have the size of `target`.
+template <typename Renderer, typename Target> DrawRows rows_drawn_by(Renderer &renderer, Target &target) {
+    return {[&](const Scene &s) { return renderer.resources().load(s); },
+            [&](const Scene &s, const Technique &t) { return renderer.render(s, t, target.size(), true); },
+            [&](const Scene &s, const Technique &t) { return timed_by(renderer, target, s, t); }};
+}
+
+/// Costs are taken on `target`, which should have stability_timed_size.
+template <typename Renderer, typename Target> StabilityDraw cases_drawn_by(Renderer &renderer, Target &target) {
+    return {[&](const Scene &s) { return renderer.resources().load(s); },
+            [&](const Scene &s, const Technique &t, Size size) { return renderer.render(s, t, size, true); },
+            [&](const Scene &s, const Technique &t) { return timed_by(renderer, target, s, t); }};
+}
+
+} // namespace sandbox
