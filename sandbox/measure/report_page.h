@@ -30,7 +30,6 @@ std::string section(const std::string &id, const std::string &title, const std::
 std::string technique_html(const Technique &technique);
 /// "1.23 [1.20, 1.31]"
 std::string ratio_html(const TimeRatio &ratio);
-std::string bound_name(double bound);
 
 std::string summary(const ReportRun &run);
 std::string pictures(const ReportRun &run);

@@ -1,6 +1,7 @@
 #include "measure/report_page.h"
 #include "measure/report_svg.h"
 #include "measure/report_text.h"
+#include "measure/work_precision_plot.h"
 
 #include "image/image_file.h"
 
@@ -9,50 +10,11 @@
 namespace sandbox::report_page {
 namespace {
 
-constexpr Frequency frequencies[]{Frequency::flat, Frequency::per_vertex, Frequency::per_pixel,
-                                  Frequency::interpolated_vectors, Frequency::hybrid};
-
-std::vector<std::string> frequency_names() {
-    std::vector<std::string> names;
-    for (const Frequency frequency : frequencies) {
-        names.emplace_back(name_of(frequency));
-    }
-    return names;
-}
-
 std::string tip(const WorkPrecision &m, std::size_t i) {
     const MeasuredRow &row = m.rows[i];
     return to_string(row.plan.technique) + ", " + mesh_words(m.meshes[row.plan.mesh]) + ": " +
            (row.time ? milliseconds_text(row.time->median) + " ms, RMSE " : "RMSE ") +
            short_number(row.errors->total.norms.rmse) + ", largest " + short_number(row.errors->total.norms.max_abs);
-}
-
-/// One line a frequency, coarse meshes first.
-PlotRequest plot_of(const WorkPrecision &m, Model model, ErrorNorm norm) {
-    PlotRequest plot;
-    plot.title = std::string(name_of(model)) + ": " + (norm == ErrorNorm::max ? "largest error" : "RMSE");
-    plot.x_label = "median time of a frame, ms";
-    plot.y_label = norm == ErrorNorm::max ? "largest error" : "root mean square error";
-    for (std::size_t f = 0; f < std::size(frequencies); ++f) {
-        PlotSeries series{std::string(name_of(frequencies[f])), static_cast<int>(f), {}};
-        for (std::size_t i = 0; i < m.rows.size(); ++i) {
-            const MeasuredRow &row = m.rows[i];
-            if (row.complete() && row.finite() && is_base(row) && row.plan.technique.model == model &&
-                row.plan.technique.frequency == frequencies[f]) {
-                series.points.push_back({row.time->median, value_of(row.errors->total.norms, norm),
-                                         row.time->lower_quartile, row.time->upper_quartile, i});
-            }
-        }
-        std::ranges::stable_sort(
-            series.points, {}, [&](const PlotPoint &point) { return m.meshes[m.rows[point.tag].plan.mesh].triangles; });
-        plot.series.push_back(std::move(series));
-    }
-    plot.front = pareto_front(m, model, norm);
-    for (const double bound : error_bounds) {
-        plot.guides.push_back({bound, bound_name(bound)});
-    }
-    plot.guides.push_back({1.0 / 510, "half a level"});
-    return plot;
 }
 
 /// The error alone, rung by rung: the slope of a line is the order.
@@ -68,13 +30,13 @@ PlotRequest ladder_plot(const WorkPrecision &m, Model model) {
         }
     }
     plot.y_label = "root mean square error";
-    for (std::size_t f = 0; f < std::size(frequencies); ++f) {
-        PlotSeries series{std::string(name_of(frequencies[f])), static_cast<int>(f), {}};
+    for (std::size_t f = 0; f < std::size(plotted_frequencies); ++f) {
+        PlotSeries series{std::string(name_of(plotted_frequencies[f])), static_cast<int>(f), {}};
         for (std::size_t i = 0; i < m.rows.size(); ++i) {
             const MeasuredRow &row = m.rows[i];
             const double rings = m.meshes[row.plan.mesh].rings;
             if (row.finite() && row.plan.group == RowGroup::ladder && row.plan.technique.model == model &&
-                row.plan.technique.frequency == frequencies[f]) {
+                row.plan.technique.frequency == plotted_frequencies[f]) {
                 series.points.push_back({rings, row.errors->total.norms.rmse, rings, rings, i});
             }
         }
@@ -94,7 +56,7 @@ std::string ladder_plots(const ReportRun &run) {
     for (const Model model : models) {
         body += "<div>" + plot_svg(ladder_plot(m, model), [&](std::size_t i) { return tip(m, i); }) + "</div>\n";
     }
-    return legend_html(frequency_names(), false) + "<div class=\"plots three\">" + body + "</div>\n";
+    return legend_html(plotted_names(), false) + "<div class=\"plots three\">" + body + "</div>\n";
 }
 
 std::string pictures(const ReportRun &run) {
@@ -118,7 +80,7 @@ std::string error_against_time(const ReportRun &run) {
     std::ranges::reverse(models);
     for (const Model model : models) {
         for (const ErrorNorm norm : {ErrorNorm::rmse, ErrorNorm::max}) {
-            const PlotRequest plot = plot_of(m, model, norm);
+            const PlotRequest plot = error_time_plot(m, model, norm);
             const bool any =
                 std::ranges::any_of(plot.series, [](const auto &series) { return !series.points.empty(); });
             body += any ? "<div>" + plot_svg(plot, [&](std::size_t i) { return tip(m, i); }) + "</div>\n" : "";
@@ -129,14 +91,14 @@ std::string error_against_time(const ReportRun &run) {
                    "meshes; its whiskers span the middle half of the times. Each model is judged against its own "
                    "truth. Dashed: what a display of 8 or 10 bits resolves.",
                    body.empty() ? body
-                                : legend_html(frequency_names(), true) + "<div class=\"plots\">" + body + "</div>\n");
+                                : legend_html(plotted_names(), true) + "<div class=\"plots\">" + body + "</div>\n");
 }
 
 std::string error_split(const ReportRun &run) {
     const WorkPrecision &m = run.measured;
     const auto models = models_of(m);
     std::vector<LabelledBar> bars;
-    for (const Frequency frequency : frequencies) {
+    for (const Frequency frequency : plotted_frequencies) {
         bool first = true;
         for (const MeasuredRow &row : m.rows) {
             if (!row.finite() || !is_base(row) || row.plan.technique.model != models.back() ||

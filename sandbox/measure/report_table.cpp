@@ -1,7 +1,6 @@
 #include "measure/report_page.h"
 #include "measure/report_text.h"
 
-#include <cmath>
 #include <cstdio>
 
 namespace sandbox::report_page {
@@ -46,7 +45,5 @@ std::string ratio_html(const TimeRatio &ratio) {
     return printed(ratio.median) + " <span class=\"q\">[" + printed(ratio.lower_quartile) + ", " +
            printed(ratio.upper_quartile) + "]</span>";
 }
-
-std::string bound_name(double bound) { return bound == 1e-5 ? "1e-5" : "1/" + std::to_string(std::lround(1 / bound)); }
 
 } // namespace sandbox::report_page

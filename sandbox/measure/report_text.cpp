@@ -42,6 +42,8 @@ std::string mesh_words(const PlannedMesh &mesh) {
     return std::to_string(mesh.rings) + " rings" + (mesh.own ? " (the scene's own)" : "");
 }
 
+std::string bound_name(double bound) { return bound == 1e-5 ? "1e-5" : "1/" + std::to_string(std::lround(1 / bound)); }
+
 std::string escaped(std::string_view text) {
     std::string out;
     for (const char c : text) {

@@ -14,6 +14,8 @@ std::string short_number(double value);
 std::string milliseconds_text(double value);
 /// "16 rings", "the scene's own mesh".
 std::string mesh_words(const PlannedMesh &mesh);
+/// Of an error bound: "1/255", "1e-5".
+std::string bound_name(double bound);
 /// & < > " become entities.
 std::string escaped(std::string_view text);
 std::string base64(std::string_view bytes);
