@@ -1,6 +1,7 @@
 #include "measure/report_page.h"
 #include "measure/report_text.h"
 
+#include <cmath>
 #include <cstdio>
 
 namespace sandbox::report_page {
