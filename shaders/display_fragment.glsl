@@ -6,6 +6,8 @@ uniform sampler2D linear_picture;
 uniform float exposure;
 uniform bool srgb;
 
+#include "math_finite.glsl"
+
 // IEC 61966-2-1
 vec3 srgb_curve(vec3 x)
 {
@@ -14,8 +16,10 @@ vec3 srgb_curve(vec3 x)
 
 void main()
 {
-    vec3 light = texelFetch(linear_picture, ivec2(gl_FragCoord.xy), 0).rgb * exposure;
-    vec3 shown = clamp(light, 0.0, 1.0);
-    bool finite = all(lessThan(abs(light), vec3(3.4e38)));
-    color = vec4(finite ? (srgb ? srgb_curve(shown) : shown) : vec3(1.0, 0.0, 1.0), 1.0);
+    vec3 light = texelFetch(linear_picture, ivec2(gl_FragCoord.xy), 0).rgb;
+    if (!finite(light)) {
+        discard; // what it was cleared to stays; the pixels that are drawn are counted
+    }
+    vec3 shown = clamp(light * exposure, 0.0, 1.0);
+    color = vec4(srgb ? srgb_curve(shown) : shown, 1.0);
 }

@@ -1,5 +1,7 @@
 #include "render/display_pass.h"
 
+#include "shading/template.h"
+
 #include <glad/gl.h>
 
 namespace sandbox {
@@ -8,6 +10,14 @@ namespace {
 void bind_picture(int unit, const Target &target) {
     glActiveTexture(GL_TEXTURE0 + static_cast<unsigned>(unit));
     glBindTexture(GL_TEXTURE_2D, target.texture());
+}
+
+constexpr float magenta[4] = {1, 0, 1, 1};
+
+void paint_all(const DisplayTexture &to, const float *color) {
+    glBindFramebuffer(GL_FRAMEBUFFER, to.framebuffer());
+    glDisable(GL_SCISSOR_TEST);
+    glClearBufferfv(GL_COLOR, 0, color);
 }
 
 void cover(const DisplayTexture &to, const VertexArray &empty) {
@@ -26,17 +36,23 @@ void cover(const DisplayTexture &to, const VertexArray &empty) {
 } // namespace
 
 DisplayPass::DisplayPass(const ShaderParts &parts)
-    : display_({whole_part(parts, "display_vertex.glsl"), whole_part(parts, "display_fragment.glsl")}),
-      difference_({whole_part(parts, "display_vertex.glsl"), whole_part(parts, "difference_fragment.glsl")}),
-      empty_(make_vertex_array()) {}
+    : display_({expand(parts, "display_vertex.glsl", {}), expand(parts, "display_fragment.glsl", {})}),
+      difference_({expand(parts, "display_vertex.glsl", {}), expand(parts, "difference_fragment.glsl", {})}),
+      empty_(make_vertex_array()), finite_pixels_(make_query()) {}
 
-void DisplayPass::run(const Target &from, DisplayTexture &to, Display display, float exposure) const {
+unsigned DisplayPass::run(const Target &from, DisplayTexture &to, Display display, float exposure) const {
     glUseProgram(display_.id());
     display_.set("linear_picture", 0);
     display_.set("exposure", exposure);
     display_.set("srgb", display == Display::srgb ? 1 : 0);
     bind_picture(0, from);
+    paint_all(to, magenta);
+    glBeginQuery(GL_SAMPLES_PASSED, finite_pixels_.id());
     cover(to, empty_);
+    glEndQuery(GL_SAMPLES_PASSED);
+    unsigned finite = 0;
+    glGetQueryObjectuiv(finite_pixels_.id(), GL_QUERY_RESULT, &finite);
+    return static_cast<unsigned>(to.size().width * to.size().height) - finite;
 }
 
 void DisplayPass::run_difference(const Target &left, const Target &right, DisplayTexture &to, float gain) const {

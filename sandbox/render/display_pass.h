@@ -10,7 +10,8 @@ namespace sandbox {
 class DisplayPass {
   public:
     explicit DisplayPass(const ShaderParts &parts);
-    void run(const Target &from, DisplayTexture &to, Display display, float exposure) const;
+    /// Returns how many pixels of `from` are not finite in red, green or blue. Waits until they are counted.
+    unsigned run(const Target &from, DisplayTexture &to, Display display, float exposure) const;
     /// Signed difference left - right, times gain, in a diverging colour-blind-safe palette (blue: right brighter,
     /// white: equal, orange: left brighter; by the channel that differs most).
     void run_difference(const Target &left, const Target &right, DisplayTexture &to, float gain) const;
@@ -18,6 +19,7 @@ class DisplayPass {
   private:
     GlProgram display_, difference_;
     VertexArray empty_;
+    Query finite_pixels_;
 };
 
 } // namespace sandbox

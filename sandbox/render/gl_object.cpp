@@ -29,6 +29,7 @@ void delete_renderbuffer(unsigned id) { glDeleteRenderbuffers(1, &id); }
 void delete_framebuffer(unsigned id) { glDeleteFramebuffers(1, &id); }
 void delete_shader(unsigned id) { glDeleteShader(id); }
 void delete_program(unsigned id) { glDeleteProgram(id); }
+void delete_query(unsigned id) { glDeleteQueries(1, &id); }
 
 Buffer make_buffer() { return Buffer(generate(glGenBuffers, "buffer")); }
 VertexArray make_vertex_array() { return VertexArray(generate(glGenVertexArrays, "vertex array")); }
@@ -37,5 +38,6 @@ Renderbuffer make_renderbuffer() { return Renderbuffer(generate(glGenRenderbuffe
 Framebuffer make_framebuffer() { return Framebuffer(generate(glGenFramebuffers, "framebuffer")); }
 ShaderObject make_shader(unsigned stage) { return ShaderObject(checked(glCreateShader(stage), "shader")); }
 ProgramObject make_program() { return ProgramObject(checked(glCreateProgram(), "program")); }
+Query make_query() { return Query(generate(glGenQueries, "query")); }
 
 } // namespace sandbox

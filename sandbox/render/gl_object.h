@@ -39,6 +39,7 @@ void delete_renderbuffer(unsigned id);
 void delete_framebuffer(unsigned id);
 void delete_shader(unsigned id);
 void delete_program(unsigned id);
+void delete_query(unsigned id);
 
 using Buffer = GlObject<delete_buffer>;
 using VertexArray = GlObject<delete_vertex_array>;
@@ -47,6 +48,7 @@ using Renderbuffer = GlObject<delete_renderbuffer>;
 using Framebuffer = GlObject<delete_framebuffer>;
 using ShaderObject = GlObject<delete_shader>;
 using ProgramObject = GlObject<delete_program>;
+using Query = GlObject<delete_query>;
 
 /// A new name of each kind; throws MachineError if the driver gives none.
 Buffer make_buffer();
@@ -56,5 +58,6 @@ Renderbuffer make_renderbuffer();
 Framebuffer make_framebuffer();
 ShaderObject make_shader(unsigned stage);
 ProgramObject make_program();
+Query make_query();
 
 } // namespace sandbox

@@ -75,6 +75,13 @@ Target::Target(Size size, bool object_ids) : size_(size) {
     require_complete(size);
 }
 
+void Target::write_color(const Image &image) {
+    std::vector<glm::vec4> bottom_first = image.pixels;
+    flip_rows(bottom_first, size_);
+    glBindTexture(GL_TEXTURE_2D, color_.id());
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size_.width, size_.height, GL_RGBA, GL_FLOAT, bottom_first.data());
+}
+
 Image Target::read_color() const {
     Image image(size_);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.id());

@@ -20,6 +20,8 @@ class Target {
     /// The RGBA32F texture: bottom row first, as OpenGL has it.
     [[nodiscard]] unsigned texture() const { return color_.id(); }
 
+    /// Replaces the colours, depth stays: for a picture that the processor drew. `image` has the target's size.
+    void write_color(const Image &image);
     /// Reads back, top row first.
     [[nodiscard]] Image read_color() const;
     /// Reads one pixel's linear colour (x right, y down).

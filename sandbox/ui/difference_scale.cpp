@@ -5,6 +5,7 @@
 #include "ui/widgets.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <string>
 
@@ -83,12 +84,14 @@ void difference_scale(Session &session, const ViewPainter &painter, const Rect &
     ImGui::PopItemWidth();
     ImGui::SameLine();
     const double largest = painter.largest_difference();
-    if (ImGui::Button("fit") && largest > 0) {
+    if (ImGui::Button("fit") && largest > 0 && std::isfinite(largest)) {
         session.view.gain = std::clamp(1 / largest, range.low, range.high);
     }
     hint_for_item(session, "The gain at which the largest difference reaches the end of the scale.");
     ImGui::SameLine();
-    ImGui::Text("largest |A \xE2\x88\x92 B|  %s", number_text(largest, false).c_str());
+    const std::string number = std::isfinite(largest) ? number_text(largest, false) : "not finite";
+    ImGui::TextColored(std::isfinite(largest) ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : error_text(),
+                       "largest |A \xE2\x88\x92 B|  %s", number.c_str());
 }
 
 } // namespace sandbox

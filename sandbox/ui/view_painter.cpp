@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <exception>
 #include <glm/common.hpp>
+#include <glm/vec3.hpp>
+#include <limits>
 
 namespace sandbox {
 
@@ -15,13 +18,16 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// Infinite where a pixel of one of them is not finite.
 double largest_channel_difference(const Image &left, const Image &right) {
-    float largest = 0;
+    double largest = 0;
     for (std::size_t i = 0; i < std::min(left.pixels.size(), right.pixels.size()); ++i) {
-        const glm::vec4 apart = glm::abs(left.pixels[i] - right.pixels[i]);
-        largest = std::max({largest, apart.r, apart.g, apart.b});
+        const glm::dvec3 apart = glm::abs(glm::dvec3(left.pixels[i]) - glm::dvec3(right.pixels[i]));
+        const double most = apart.r + apart.g + apart.b; // NaN if one is: comparisons would lose it
+        largest = std::isfinite(most) ? std::max({largest, apart.r, apart.g, apart.b})
+                                      : std::numeric_limits<double>::infinity();
     }
-    return static_cast<double>(largest);
+    return largest;
 }
 
 } // namespace
@@ -39,9 +45,12 @@ void ViewPainter::draw_timed(Side &side, const Key &key) {
     if (renderer_.programs_built() != built_before) {
         draw(); // the time of a picture, not of its compiler
     }
-    if (key.wireframe) {
-        renderer_.draw_wireframe(key.scene, *side.target, wireframe_color);
-    }
+}
+
+/// Returns the number of non-finite pixels.
+unsigned ViewPainter::display_side(Side &side, const DisplayKey &display) {
+    side.displayed = display;
+    return display_pass_.run(*side.target, *side.display, display.display, static_cast<float>(display.exposure));
 }
 
 bool ViewPainter::paint_side(Side &side, const Key &key, const DisplayKey &display) {
@@ -61,10 +70,16 @@ bool ViewPainter::paint_side(Side &side, const Key &key, const DisplayKey &displ
             }
             draw_timed(side, key);
             side.shown.warning = renderer_.shader_error();
+            side.shown.nonfinite = display_side(side, display);
+            if (key.wireframe) { // its lines are counted as little as they are timed
+                renderer_.draw_wireframe(key.scene, *side.target, wireframe_color);
+                side.displayed.reset();
+            }
         }
         if (side.shown.error.empty()) {
-            display_pass_.run(*side.target, *side.display, display.display, static_cast<float>(display.exposure));
-            side.displayed = display;
+            if (side.displayed != display) {
+                display_side(side, display);
+            }
             side.shown.texture = side.display->texture();
             side.shown.size = key.size;
         }

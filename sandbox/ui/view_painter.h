@@ -16,6 +16,7 @@ struct PaintedView {
     unsigned texture = 0; ///< bottom row first; 0: there is no picture
     Size size;
     double milliseconds = 0; ///< of the last time it was drawn, shaders ready
+    unsigned nonfinite = 0;  ///< pixels that are NaN or infinite; magenta in the picture
     std::string error;       ///< why there is no picture
     std::string warning;     ///< what is wrong though there is one (a shader that does not build)
 };
@@ -32,7 +33,7 @@ class ViewPainter {
     [[nodiscard]] const PaintedView &view(bool right) const { return sides_[right ? 1 : 0].shown; }
     /// 0 until both sides have a picture.
     [[nodiscard]] unsigned difference_texture() const { return difference_ ? difference_->texture() : 0; }
-    /// The largest |A - B| of any channel, as of the last measure_difference().
+    /// The largest |A - B| of any channel, as of the last measure_difference(); infinite where one is not finite.
     [[nodiscard]] double largest_difference() const { return largest_difference_; }
     /// Reads both pictures back, if they changed since the last time: for when nothing is being dragged.
     void measure_difference();
@@ -69,6 +70,7 @@ class ViewPainter {
 
     bool paint_side(Side &side, const Key &key, const DisplayKey &display);
     void draw_timed(Side &side, const Key &key);
+    unsigned display_side(Side &side, const DisplayKey &display);
     void paint_difference(double gain, bool changed);
 
     Renderer renderer_;

@@ -113,13 +113,38 @@ std::string time_text(const PaintedView &view) {
     return view.texture != 0 ? text : "";
 }
 
-/// Above the picture, what it is; `below` it, in lines, how long it took.
+/// Nothing where all is well.
+std::string nonfinite_text(const PaintedView &view) {
+    if (view.texture == 0 || view.nonfinite == 0) {
+        return "";
+    }
+    return std::to_string(view.nonfinite) + (view.nonfinite == 1 ? " non-finite pixel" : " non-finite pixels");
+}
+
+/// How long it took, and what is wrong with the picture; on a line of its own if `stacked`.
+void draw_figures(const PaintedView &view, const Rect &rect, float y, bool align_right, bool stacked) {
+    const std::string time = time_text(view);
+    const std::string wrong = nonfinite_text(view);
+    draw_text_line(rect, y, ImGui::GetStyleColorVec4(ImGuiCol_Text), time, align_right);
+    if (wrong.empty()) {
+        return;
+    }
+    if (stacked) {
+        return draw_text_line(rect, y + ImGui::GetFrameHeight(), error_text(), wrong, align_right);
+    }
+    const float gap = ImGui::GetFontSize();
+    Rect beside = rect; // the time keeps its place
+    (align_right ? beside.high.x : beside.low.x) +=
+        (align_right ? -1 : 1) * (ImGui::CalcTextSize(time.c_str()).x + gap);
+    draw_text_line(beside, y, error_text(), wrong, align_right);
+}
+
+/// Above the picture, what it is; `below` it, in lines, its figures.
 void draw_names(const Session &session, const ViewPainter &painter, const Rect &rect, bool right, bool align_right,
                 float below = 0) {
     const float line = ImGui::GetFrameHeight();
     draw_text_line(rect, rect.low.y - line, side_color(right), side_name(session, right), align_right);
-    draw_text_line(rect, rect.high.y + below * line, ImGui::GetStyleColorVec4(ImGuiCol_Text),
-                   time_text(painter.view(right)), align_right);
+    draw_figures(painter.view(right), rect, rect.high.y + below * line, align_right, below > 0);
 }
 
 void show_side_by_side(const Session &session, const ViewPainter &painter, const Plan &plan) {

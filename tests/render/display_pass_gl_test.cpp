@@ -1,0 +1,83 @@
+#include "render/display_pass.h"
+#include "tools/gl_test.h"
+
+#include <glad/gl.h>
+#include <limits>
+
+namespace sandbox {
+namespace {
+
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+constexpr float infinite = std::numeric_limits<float>::infinity();
+constexpr float largest = std::numeric_limits<float>::max();
+
+/// Top row first, as to_display() has it.
+std::vector<std::uint8_t> read_rgb(const DisplayTexture &texture) {
+    const Size size = texture.size();
+    const std::size_t row = 3 * static_cast<std::size_t>(size.width);
+    std::vector<std::uint8_t> bottom_first(row * static_cast<std::size_t>(size.height));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, texture.framebuffer());
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, size.width, size.height, GL_RGB, GL_UNSIGNED_BYTE, bottom_first.data());
+    std::vector<std::uint8_t> rgb;
+    for (std::size_t end = bottom_first.size(); end > 0; end -= row) {
+        const auto last = bottom_first.begin() + static_cast<std::ptrdiff_t>(end);
+        rgb.insert(rgb.end(), last - static_cast<std::ptrdiff_t>(row), last);
+    }
+    return rgb;
+}
+
+class DisplayPasses : public GlTest {
+  protected:
+    /// Shows `image`; returns how many pixels were counted as not finite.
+    unsigned show(const Image &image, float exposure) {
+        Target target(image.size);
+        target.write_color(image);
+        DisplayTexture texture(image.size);
+        const unsigned counted =
+            DisplayPass(ShaderParts(Assets("shaders"))).run(target, texture, Display::linear, exposure);
+        shown_ = read_rgb(texture);
+        return counted;
+    }
+    std::vector<std::uint8_t> shown_;
+};
+
+TEST_F(DisplayPasses, CountsWhatIsNotFiniteAndNothingElse) {
+    Image image({67, 35}, glm::vec4(0.25F, 0.5F, 1, 1)); // no multiple of any tile
+    image.at(0, 0).r = not_a_number;
+    image.at(66, 0).g = -not_a_number;
+    image.at(0, 34).b = infinite;
+    image.at(66, 34).r = -infinite;
+    image.at(33, 17) = glm::vec4(not_a_number, infinite, -infinite, 1); // one pixel
+    image.at(1, 1) = glm::vec4(largest, -largest, 0, 1);
+    image.at(2, 1) = glm::vec4(-1, -0.0F, std::numeric_limits<float>::denorm_min(), 1);
+    image.at(3, 1).a = not_a_number; // no display shows it
+    EXPECT_EQ(show(image, 1), 5U);
+    EXPECT_EQ(shown_, to_display(image).rgb);
+}
+
+TEST_F(DisplayPasses, ExposureMakesNothingNonFinite) {
+    const Image image({8, 8}, glm::vec4(largest, 0.5F, 0, 1));
+    EXPECT_EQ(show(image, 1e6F), 0U);
+    EXPECT_EQ(shown_, to_display(image, Display::linear, 1e6).rgb);
+}
+
+TEST_F(DisplayPasses, ADifferenceShowsWhatIsNotFinite) {
+    Image left({3, 1}, glm::vec4(0.25F)), right = left;
+    left.at(0, 0).r = not_a_number;
+    right.at(1, 0).b = not_a_number;
+    Target a(left.size), b(right.size);
+    a.write_color(left);
+    b.write_color(right);
+    DisplayTexture texture(left.size);
+    DisplayPass(ShaderParts(Assets("shaders"))).run_difference(a, b, texture, 1);
+    EXPECT_EQ(read_rgb(texture), (std::vector<std::uint8_t>{255, 0, 255, 255, 0, 255, 255, 255, 255}));
+}
+
+TEST_F(DisplayPasses, AWholePictureMayBeNonFinite) {
+    EXPECT_EQ(show(Image({31, 9}, glm::vec4(not_a_number)), 1), 31U * 9U);
+    EXPECT_EQ(show(Image({31, 9}, glm::vec4(0)), 1), 0U);
+}
+
+} // namespace
+} // namespace sandbox
