@@ -1,5 +1,7 @@
 #include "render/program_cache.h"
 
+#include "shading/template.h"
+
 #include <algorithm>
 
 namespace sandbox {
@@ -34,12 +36,16 @@ const GlProgram &ProgramCache::get(const Features &features) {
     return *entry.program;
 }
 
-const GlProgram &ProgramCache::wireframe() {
-    if (wireframe_ == nullptr) {
-        wireframe_ = std::make_unique<const GlProgram>(
-            ProgramSource{whole_part(parts_, "wireframe_vertex.glsl"), whole_part(parts_, "wireframe_fragment.glsl")});
+const GlProgram &ProgramCache::wireframe(bool deep) {
+    auto found = wireframes_.find(deep);
+    if (found == wireframes_.end()) {
+        const TemplateValues values{{{"deep", deep}}, {}};
+        found = wireframes_
+                    .emplace(deep, ProgramSource{expand(parts_, "wireframe_vertex.glsl", values),
+                                                 expand(parts_, "wireframe_fragment.glsl", values)})
+                    .first;
     }
-    return *wireframe_;
+    return found->second;
 }
 
 void ProgramCache::rebuild_all() {

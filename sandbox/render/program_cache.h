@@ -16,8 +16,8 @@ class ProgramCache {
 
     /// Throws ShaderError where it cannot be built and no earlier build of the same features can stand in.
     const GlProgram &get(const Features &features);
-    /// One constant colour, for wireframes.
-    const GlProgram &wireframe();
+    /// One constant colour, for wireframes; `deep` as in Features.
+    const GlProgram &wireframe(bool deep);
 
     /// After the parts changed: each program is built again when next needed, its last good one kept in case.
     void rebuild_all();
@@ -36,7 +36,7 @@ class ProgramCache {
 
     const ShaderParts &parts_;
     std::map<Features, Entry> entries_;
-    std::unique_ptr<const GlProgram> wireframe_;
+    std::map<bool, GlProgram> wireframes_; ///< by `deep`
     std::string error_;
     int built_ = 0;
     long uses_ = 0;

@@ -1,11 +1,13 @@
 #include "render/renderer.h"
 
+#include "render/log_depth.h"
 #include "render/mesh_buffers.h"
 #include "render/placing.h"
 #include "render/program_cache.h"
 #include "render/uniforms.h"
 #include "render/visibility.h"
 #include "scene/space.h"
+#include "shading/length_scale.h"
 #include "shading/needs.h"
 
 #include <glad/gl.h>
@@ -13,6 +15,7 @@
 #include <glm/matrix.hpp>
 
 #include <chrono>
+#include <cmath>
 
 namespace sandbox {
 namespace {
@@ -60,6 +63,14 @@ void clear(const Scene &scene, const Target &target) {
         constexpr unsigned none[4] = {0, 0, 0, 0};
         glClearBufferuiv(GL_COLOR, 1, none);
     }
+}
+
+/// The surfaces' depth, a little nearer.
+void put_lifted_depth(const GlProgram &program, const Camera &camera, double scale, int picture_height) {
+    const LogDepth depth = log_depth(camera, scale);
+    const double lift = depth.per_octave * std::log2(1 + line_lift(camera, picture_height));
+    program.set("depth_per_octave", static_cast<float>(depth.per_octave));
+    program.set("depth_at_1", static_cast<float>(depth.at_1 - lift));
 }
 
 double aspect_of(const Target &target) {
@@ -148,12 +159,13 @@ Frame Renderer::render(const Scene &scene, const Technique &technique, Size size
 
 void Renderer::draw_wireframe(const Scene &scene, Target &target, glm::vec3 color) {
     const auto resources = impl_->resources.load(scene);
-    const GlProgram &program = impl_->programs.wireframe();
+    const bool deep = is_deep(scene.camera);
+    const GlProgram &program = impl_->programs.wireframe(deep);
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
     glViewport(0, 0, target.size().width, target.size().height);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LEQUAL);
-    glEnable(GL_POLYGON_OFFSET_LINE);
+    glEnable(GL_POLYGON_OFFSET_LINE); // no use where the program writes the depth: it lifts the lines itself
     glPolygonOffset(-1, -4);
     glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
     glUseProgram(program.id());
@@ -163,6 +175,9 @@ void Renderer::draw_wireframe(const Scene &scene, Target &target, glm::vec3 colo
         set_culling(scene.camera, object, *resources[i].mesh, aspect_of(target));
         const Placing placing = place_object(scene, object, *resources[i].mesh);
         program.set("model_view_projection", glm::mat4(model_view_projection(scene, placing, aspect_of(target))));
+        if (deep) {
+            put_lifted_depth(program, scene.camera, placing.scale, target.size().height);
+        }
         impl_->buffers(object, resources[i].mesh).draw({});
     }
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);

@@ -2,6 +2,7 @@
 
 #include "render/full_uniforms.h"
 #include "render/light_values.h"
+#include "render/log_depth.h"
 #include "render/placing.h"
 #include "render/uploader.h"
 #include "scene/space.h"
@@ -53,11 +54,9 @@ void put_checker(Uploader &uploader, const Checker &checker, const Mesh &mesh) {
     uploader.put("checker_half_cells", static_cast<float>(checker.cells / 2.0));
 }
 
-/// Window depth as the logarithm of the distance along the view, 0 at near and 1 at far.
-void put_depth(Uploader &uploader, const Camera &camera, double scale) {
-    const double per_octave = 1 / std::log2(camera.far_plane / camera.near_plane);
-    uploader.put("depth_per_octave", static_cast<float>(per_octave));
-    uploader.put("depth_at_1", static_cast<float>(-std::log2(camera.near_plane * scale) * per_octave));
+void put_depth(Uploader &uploader, const LogDepth &depth) {
+    uploader.put("depth_per_octave", static_cast<float>(depth.per_octave));
+    uploader.put("depth_at_1", static_cast<float>(depth.at_1));
 }
 
 /// From the eye through a pixel, as far as a depth of 1 along the view.
@@ -81,7 +80,7 @@ void upload_uniforms(const GlProgram &program, const DrawInput &input) {
     uploader.put("model_view_projection", glm::mat4(model_view_projection(scene, placing, input.aspect())));
     uploader.put("model", glm::mat4(placing.model));
     put_rays(uploader, input);
-    put_depth(uploader, scene.camera, placing.scale);
+    put_depth(uploader, log_depth(scene.camera, placing.scale));
     uploader.put("normal_matrix", glm::mat3(normal_matrix(linear_part(input.object.transform))));
     uploader.put("eye", glm::vec3(placing.eye));
     uploader.put("view_direction", glm::vec3(-camera_axes(scene.camera).forward));

@@ -1,19 +1,9 @@
 #include "shading/program_source.h"
 
-#include <algorithm>
 #include <regex>
 #include <sstream>
 
 namespace sandbox {
-
-StageSource whole_part(const ShaderParts &parts, const std::string &part) {
-    StageSource source{parts.text(part), {}};
-    const auto lines = std::ranges::count(source.text, '\n');
-    for (int line = 1; line <= lines; ++line) {
-        source.origins.push_back({part, line});
-    }
-    return source;
-}
 
 std::string map_log(const std::string &log, const StageSource &source) {
     // Mesa "0:31(5): error", NVIDIA "0(31) : error", Intel and AMD "ERROR: 0:31: ..."

@@ -31,9 +31,6 @@ struct ProgramSource {
 /// Pure: equal features and parts give equal text.
 ProgramSource assemble(const Features &features, const ShaderParts &parts);
 
-/// A part that is a whole stage by itself.
-StageSource whole_part(const ShaderParts &parts, const std::string &part);
-
 /// A compiler log with its line numbers replaced by "part:line" (Mesa's, NVIDIA's and Intel's formats).
 std::string map_log(const std::string &log, const StageSource &source);
 

@@ -157,7 +157,7 @@ TEST_F(FormulaProbes, CheckerColor) {
 }
 
 TEST_F(FormulaProbes, SrgbCurve) {
-    const std::string text = whole_part(ShaderParts(Assets("shaders")), "display_fragment.glsl").text;
+    const std::string text = ShaderParts(Assets("shaders")).text("display_fragment.glsl");
     const ShaderProbe probe(lines_between(text, "vec3 srgb_curve", "void main"), "result.rgb = srgb_curve(in0.xyz);");
     std::vector<ProbeInput> inputs;
     for (int i = 0; i <= 3000; ++i) {

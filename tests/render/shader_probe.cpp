@@ -1,6 +1,7 @@
 #include "render/shader_probe.h"
 
 #include "render/target.h"
+#include "shading/template.h"
 
 #include <glad/gl.h>
 
@@ -32,7 +33,7 @@ ProgramSource probe_source(const std::string &declarations, const std::string &b
     for (int line = 1; line <= std::count(text.begin(), text.end(), '\n') + 1; ++line) {
         fragment.origins.push_back({"probe", line});
     }
-    return {whole_part(parts, "display_vertex.glsl"), fragment};
+    return {expand(parts, "display_vertex.glsl", {}), fragment};
 }
 
 Texture input_texture(const std::vector<ProbeInput> &inputs, int rows) {
