@@ -48,7 +48,7 @@ void draw_line(ByteImage &picture, const std::string &text, int left, int width,
 
 } // namespace
 
-void draw_labels(ByteImage &picture, Layout layout, std::string_view left, std::string_view right,
+void draw_labels(ByteImage &picture, Layout layout, int split, std::string_view left, std::string_view right,
                  std::string_view caption) {
     const double height = line_height(picture);
     const double strip = height * line_spacing;
@@ -62,12 +62,10 @@ void draw_labels(ByteImage &picture, Layout layout, std::string_view left, std::
         draw_line(picture, std::string(left), 0, width, 0, height);
         break;
     case Layout::side_by_side:
-    case Layout::wipe: {
-        const int split = split_column(picture.size);
+    case Layout::wipe:
         draw_line(picture, a, 0, split, 0, height);
         draw_line(picture, b, split, width - split, 0, height);
         break;
-    }
     case Layout::difference:
         draw_line(picture, a, 0, width - caption_width, 0, height);
         draw_line(picture, b, 0, width - caption_width, strip, height);
@@ -76,9 +74,9 @@ void draw_labels(ByteImage &picture, Layout layout, std::string_view left, std::
     }
 }
 
-void draw_divider(ByteImage &picture) {
+void draw_divider(ByteImage &picture, int split) {
     const int thickness = std::max(1, picture.size.height / 360);
-    const int from = std::max(0, split_column(picture.size) - (thickness + 1) / 2);
+    const int from = std::max(0, split - (thickness + 1) / 2);
     const int to = std::min(picture.size.width, from + thickness);
     for (int y = 0; y < picture.size.height; ++y) {
         const auto row = picture.rgb.begin() + static_cast<std::ptrdiff_t>(3) * y * picture.size.width;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 namespace sandbox {
@@ -20,9 +21,9 @@ Image side_by_side(const Image &left, const Image &right) {
     return picture;
 }
 
-Image wipe(const Image &left, const Image &right) {
+Image wipe(const Image &left, const Image &right, double divider) {
     Image picture = left;
-    const int split = split_column(left.size);
+    const int split = split_column(left.size, divider);
     if (split == left.size.width) {
         return picture;
     }
@@ -52,7 +53,7 @@ Layout parse_layout(std::string_view text) {
     return static_cast<Layout>(found - layout_names.begin());
 }
 
-int split_column(Size picture) { return (picture.width + 1) / 2; }
+int split_column(Size picture, double share) { return static_cast<int>(std::floor(picture.width * share + 0.5)); }
 
 ViewSizes view_sizes(Layout layout, Size picture) {
     if (layout != Layout::side_by_side) {
@@ -65,14 +66,14 @@ ViewSizes view_sizes(Layout layout, Size picture) {
     return {{split, picture.height}, {picture.width - split, picture.height}};
 }
 
-Image compose(Layout layout, const Image &left, const Image &right) {
+Image compose(Layout layout, const Image &left, const Image &right, double divider) {
     switch (layout) {
     case Layout::single:
         break;
     case Layout::side_by_side:
         return side_by_side(left, right);
     case Layout::wipe:
-        return wipe(left, right);
+        return wipe(left, right, divider);
     case Layout::difference:
         return difference(left, right);
     }

@@ -22,11 +22,12 @@ struct ViewSizes {
 /// Throws InputError if a view would have no pixel.
 ViewSizes view_sizes(Layout layout, Size picture);
 
-/// The first column that shows the right view: (width + 1) / 2.
-int split_column(Size picture);
+/// The first column that shows the right view where the left one has `share` of the width: rounded, halves up.
+int split_column(Size picture, double share = 0.5);
 
-/// The picture in linear RGB: `left` alone, both halves, or left - right (signed; alpha 1).
-/// `right` is not looked at in Layout::single. The sizes must be those of view_sizes().
-Image compose(Layout layout, const Image &left, const Image &right);
+/// The picture in linear RGB: `left` alone, both beside each other, or left - right (signed; alpha 1).
+/// `right` is not looked at in Layout::single. The sizes must be those of view_sizes(). `divider`: a wipe's left share
+/// of the width, [0, 1].
+Image compose(Layout layout, const Image &left, const Image &right, double divider = 0.5);
 
 } // namespace sandbox

@@ -44,17 +44,18 @@ Image draw_picture(const Scene &scene, const PictureOptions &options, const Draw
     if (options.layout == Layout::single) {
         return left;
     }
-    return compose(options.layout, left, draw(scene, options.right, sizes.right));
+    return compose(options.layout, left, draw(scene, options.right, sizes.right), options.divider);
 }
 
 ByteImage show_picture(const Image &linear, const PictureOptions &options) {
     ByteImage shown = to_display(options.layout == Layout::difference ? magnified(linear, options.gain) : linear,
                                  options.display, options.exposure);
+    const int split = split_column(shown.size, options.layout == Layout::wipe ? options.divider : 0.5);
     if (options.layout == Layout::wipe) {
-        draw_divider(shown);
+        draw_divider(shown, split);
     }
     if (options.labels) {
-        draw_labels(shown, options.layout, to_string(options.left), to_string(options.right),
+        draw_labels(shown, options.layout, split, to_string(options.left), to_string(options.right),
                     difference_caption(options));
     }
     return shown;

@@ -25,7 +25,8 @@ struct PictureOptions {
     Size size{1280, 720}; ///< of the whole picture
     Display display = Display::linear;
     double exposure = 1;
-    double gain = 1; ///< of a difference that is shown
+    double gain = 1;      ///< of a difference that is shown
+    double divider = 0.5; ///< of a wipe: the left view's share of the width
     bool labels = false;
     std::string view; ///< name of the view that the scene's camera was taken from, for the record
     bool operator==(const PictureOptions &) const = default;

@@ -25,6 +25,13 @@ template <typename Read> void read_key(const ordered_json &from, const char *key
     }
 }
 
+double read_share(double value) {
+    if (!(value >= 0 && value <= 1)) {
+        throw InputError("expected a number from 0 to 1");
+    }
+    return value;
+}
+
 void read_techniques(const ordered_json &value, PictureOptions &options) {
     options.left = parse_technique(value.at(0).get<std::string>());
     options.right = value.size() > 1 ? parse_technique(value.at(1).get<std::string>()) : options.left;
@@ -53,6 +60,9 @@ std::string sidecar_text(const Scene &scene, const PictureOptions &options, cons
                      {"exposure", options.exposure},
                      {"gain", options.gain},
                      {"labels", options.labels}};
+    if (options.layout == Layout::wipe) {
+        out["divider"] = options.divider;
+    }
     if (!options.view.empty()) {
         out["view"] = options.view;
     }
@@ -76,6 +86,7 @@ std::optional<PictureOptions> sidecar_options(std::string_view text, std::string
              [&](const auto &v) { options.display = parse_display(v.template get<std::string>()); });
     read_key(from, "exposure", name, [&](const auto &v) { options.exposure = v.template get<double>(); });
     read_key(from, "gain", name, [&](const auto &v) { options.gain = v.template get<double>(); });
+    read_key(from, "divider", name, [&](const auto &v) { options.divider = read_share(v.template get<double>()); });
     read_key(from, "labels", name, [&](const auto &v) { options.labels = v.template get<bool>(); });
     read_key(from, "view", name, [&](const auto &v) { options.view = v.template get<std::string>(); });
     return options;

@@ -53,6 +53,7 @@ PictureOptions picture_options(const Session &session, Size each) {
     options.display = document.display;
     options.exposure = document.exposure;
     options.gain = session.view.gain;
+    options.divider = static_cast<double>(session.view.divider);
     options.labels = true;
     return options;
 }

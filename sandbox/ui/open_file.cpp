@@ -39,6 +39,9 @@ void take_sidecar(OpenedFile &file, const PictureOptions &options) {
     file.display = options.display;
     file.exposure = options.exposure;
     file.mode = mode_of(options.layout);
+    if (options.layout == Layout::wipe) {
+        file.divider = options.divider;
+    }
 }
 
 } // namespace
@@ -64,6 +67,11 @@ Document document_from(const OpenedFile &file, const Session &session) {
     document.exposure = file.exposure.value_or(now.exposure);
     document.least_aspect = file.capture ? 0 : document.least_aspect; // its camera is what the picture was taken with
     return document;
+}
+
+void take_view(ViewSettings &view, const OpenedFile &file) {
+    view.mode = file.mode.value_or(view.mode);
+    view.divider = static_cast<float>(file.divider.value_or(static_cast<double>(view.divider)));
 }
 
 } // namespace sandbox

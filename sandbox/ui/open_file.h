@@ -17,6 +17,7 @@ struct OpenedFile {
     std::optional<Display> display;
     std::optional<double> exposure;
     std::optional<ViewMode> mode;
+    std::optional<double> divider; ///< of a wipe
 };
 
 /// Throws InputError.
@@ -24,5 +25,7 @@ OpenedFile open_file(const std::string &name_or_path, const Assets &assets);
 
 /// The document to show; what the file does not say stays as it is in `session`.
 Document document_from(const OpenedFile &file, const Session &session);
+/// The same for how the two pictures are shown.
+void take_view(ViewSettings &view, const OpenedFile &file);
 
 } // namespace sandbox

@@ -60,7 +60,7 @@ Window::Window(const WindowOptions &options)
       context_(Context::of_window(window_.handle())), gui_(window_.handle(), window_.content_scale()),
       painter_(options.assets, options.shaders), session_(first_document(options)),
       bottom_({options.assets, options.shaders, {context_->renderer(), context_->version()}}) {
-    session_.view.mode = options.file.mode.value_or(session_.view.mode);
+    take_view(session_.view, options.file);
     session_.scenes = builtin_scenes(assets_);
     session_.textures = assets_.list("textures/");
     for (std::string &texture : session_.textures) {
@@ -153,9 +153,7 @@ void Window::open(const std::string &name_or_path) {
         const OpenedFile file = open_file(name_or_path, assets_);
         painter_.renderer().resources().load(file.scene); // refuses textures and models that cannot be read
         show_document(session_, document_from(file, session_));
-        if (file.mode) {
-            session_.view.mode = *file.mode;
-        }
+        take_view(session_.view, file);
         session_.message = {"Opened " + file.name + ".", false};
     } catch (const std::exception &error) {
         session_.message = {error.what(), true};

@@ -76,6 +76,39 @@ TEST(Picture, AWipeHasADividerAndItsDataHasNone) {
     EXPECT_EQ(pixel(picture, 4, 0), right_color);
 }
 
+TEST(Picture, AWipeIsDividedWhereItIsAskedFor) {
+    PictureOptions options = two_views(Layout::wipe, {10, 2});
+    options.divider = 0.28;
+    const ByteImage picture = shown(options);
+    EXPECT_EQ(pixel(picture, 1, 0), left_color);
+    EXPECT_EQ(pixel(picture, 2, 0), (Rgb{255, 255, 255}));
+    EXPECT_EQ(pixel(picture, 3, 0), right_color);
+    options.divider = 0;
+    EXPECT_EQ(pixel(shown(options), 1, 0), right_color);
+    options.divider = 1;
+    EXPECT_EQ(pixel(shown(options), 8, 0), left_color);
+}
+
+TEST(Picture, LabelsOfAWipeStandOverTheirViews) {
+    PictureOptions options = two_views(Layout::wipe, {600, 120});
+    options.labels = true;
+    options.divider = 0.9; // the right label is cut off in a tenth of the width
+    const ByteImage late = shown(options);
+    options.divider = 0.5;
+    const ByteImage middle = shown(options);
+    const auto bright = [](const ByteImage &image, int from, int to) {
+        int count = 0;
+        for (int y = 0; y < 12; ++y) {
+            for (int x = from; x < to; ++x) {
+                count += pixel(image, x, y)[0] > 200 ? 1 : 0;
+            }
+        }
+        return count;
+    };
+    EXPECT_GT(bright(middle, 305, 500), 20);
+    EXPECT_EQ(bright(late, 305, 500), 0);
+}
+
 TEST(Picture, ADifferenceIsSignedAsDataAndMagnifiedAsPicture) {
     PictureOptions options = two_views(Layout::difference, {2, 2});
     options.gain = 2;

@@ -27,6 +27,7 @@ PictureOptions unusual() {
     options.display = Display::srgb;
     options.exposure = 0.1;
     options.gain = 3.7;
+    options.divider = 0.3125;
     options.labels = true;
     options.view = "from-above";
     return options;
@@ -50,6 +51,13 @@ TEST(Sidecar, TheSceneRoundTripsToTheLastBit) {
     EXPECT_EQ(json["techniques"].size(), 2U);
 }
 
+TEST(Sidecar, OnlyAWipeHasADivider) {
+    PictureOptions options = unusual();
+    EXPECT_NE(sidecar_text(ball(), options, {}).find("divider"), std::string::npos);
+    options.layout = Layout::side_by_side;
+    EXPECT_EQ(sidecar_text(ball(), options, {}).find("divider"), std::string::npos);
+}
+
 TEST(Sidecar, OtherFilesAreNone) {
     EXPECT_FALSE(sidecar_options(scene_text(ball()), "scene.json"));
     EXPECT_FALSE(sidecar_options("v 0 0 0", "mesh.obj"));
@@ -67,6 +75,8 @@ TEST(Sidecar, AWrongValueIsRefusedByItsKey) {
                                                              {"size", {1}},
                                                              {"display", "gamma"},
                                                              {"exposure", "bright"},
+                                                             {"divider", 1.5},
+                                                             {"divider", "left"},
                                                              {"labels", "yes"}}) {
         auto json = nlohmann::json::parse(good);
         json[key] = value;

@@ -42,6 +42,7 @@ TEST(Document, ACaptureIsShownAsItWasTaken) {
     scene.objects = {Object{"ball", SphereShape{}, {}, {}, false}};
     Session session = session_with(scene);
     session.view.mode = ViewMode::wipe;
+    session.view.divider = 0.25F;
     session.document.exposure = 2;
     session.document.display = Display::srgb;
     const PictureOptions options = picture_options(session, {300, 600});
@@ -55,7 +56,10 @@ TEST(Document, ACaptureIsShownAsItWasTaken) {
     EXPECT_EQ(restored.right, blinn);
     EXPECT_EQ(restored.exposure, 2);
     EXPECT_EQ(restored.display, Display::srgb);
-    EXPECT_EQ(file.mode, ViewMode::wipe);
+    ViewSettings view;
+    take_view(view, file);
+    EXPECT_EQ(view.mode, ViewMode::wipe);
+    EXPECT_EQ(view.divider, 0.25F);
     EXPECT_EQ(scene_in_view(restored, {300, 600}), seen); // not widened a second time
 }
 
