@@ -48,7 +48,7 @@ int parse_and_run(int argc, char **argv) {
         return report_parse_end(app, end);
     }
     if (!run) {
-        return view_scene(common, scene);
+        return view_scene(common, {scene, {}, {}});
     }
     if (!scene.empty()) {
         throw InputError("'" + scene + "' is neither a command nor an option (the command comes first)");

@@ -21,7 +21,13 @@ inline constexpr AddCommand *all_commands[]{add_list,   add_capture,   add_refer
 /// The arguments of every command: --set, --shaders, --assets, --backend, -v.
 void add_common_options(CLI::App &app, CommonOptions &common);
 
-/// Opens the window on `scene` (empty: a built-in one); returns the exit code.
-int view_scene(const CommonOptions &common, const std::string &scene);
+/// What the window opens with.
+struct ViewFlags {
+    std::string scene;                      ///< empty: a built-in one
+    std::optional<std::string> left, right; ///< techniques; absent: a sidecar's or the window's own
+};
+
+/// Opens the window; returns the exit code.
+int view_scene(const CommonOptions &common, const ViewFlags &flags);
 
 } // namespace sandbox
