@@ -10,26 +10,35 @@
 namespace sandbox {
 namespace {
 
-/// The bytes of an absolute path, or of the built-in file assets/FOLDER/NAME.
-std::string read_named(const Assets &assets, const std::string &name, const std::string &folder,
-                       const std::string &kind) {
+/// A kind of built-in files, and where they are below assets/.
+struct Kind {
+    std::string_view name, folder;
+    std::string_view unlisted_folder; ///< of files that are found by name but told to nobody; empty: there are none
+};
+constexpr Kind model_files{"model", "models/", "stability/"}; // broken on purpose: nothing to make a scene from
+constexpr Kind texture_files{"texture", "textures/", ""};
+
+/// The bytes of an absolute path, or of the built-in file of that name.
+std::string read_named(const Assets &assets, const std::string &name, const Kind &kind) {
     if (std::filesystem::path(name).is_absolute()) {
         return read_file(name);
     }
-    if (auto bytes = assets.read(folder + name)) {
-        return *std::move(bytes);
+    for (const std::string_view folder : {kind.folder, kind.unlisted_folder}) {
+        if (auto bytes = folder.empty() ? std::nullopt : assets.read(std::string(folder) + name)) {
+            return *std::move(bytes);
+        }
     }
     std::string known;
-    for (const std::string &path : assets.list(folder)) {
-        known += (known.empty() ? "" : ", ") + path.substr(folder.size());
+    for (const std::string &path : assets.list(kind.folder)) {
+        known += (known.empty() ? "" : ", ") + path.substr(kind.folder.size());
     }
-    throw InputError(name + ": no such " + kind +
+    throw InputError(name + ": no such " + std::string(kind.name) +
                      "; looked for it beside the scene file and among the built-in ones (" + known + ")");
 }
 
 Mesh load_mesh(const Assets &assets, const Shape &shape) {
     if (const auto *obj = std::get_if<ObjShape>(&shape)) {
-        return read_obj(read_named(assets, obj->path, "models/", "model"), obj->path);
+        return read_obj(read_named(assets, obj->path, model_files), obj->path);
     }
     return build_mesh(shape);
 }
@@ -82,8 +91,7 @@ std::vector<ObjectResources> Resources::load(const Scene &scene) {
             if (!texture) {
                 const auto kept = textures_.find(name);
                 const auto load = [&] {
-                    return std::make_shared<const Image>(
-                        decode_image(read_named(assets_, name, "textures/", "texture"), name));
+                    return std::make_shared<const Image>(decode_image(read_named(assets_, name, texture_files), name));
                 };
                 texture = kept != textures_.end() ? kept->second : at_key(i, "material.texture", load);
             }
