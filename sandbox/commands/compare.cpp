@@ -47,18 +47,30 @@ Technique reference_technique(Technique left, std::string_view text) {
     return parse_technique(frequency + "/" + model + others);
 }
 
-Metrics compare_to_reference(const Frame &left, const Scene &scene, const Technique &technique, Size size,
-                             Resources &resources) {
+struct Comparison {
+    Metrics metrics;
+    double worst_pixel_rounding = 0; ///< PixelProbe::window_rounding there; 0 between two drawn pictures
+};
+
+Comparison compare_to_reference(const Frame &left, const Scene &scene, const Technique &technique, Size size,
+                                Resources &resources) {
     ProgressBar bar("reference");
-    return compare(left,
-                   render_reference(scene, resources.load(scene), technique, size, Surface::mesh, [&](double share) {
-                       bar.report(share);
-                       return true;
-                   }));
+    const std::vector<ObjectResources> loaded = resources.load(scene);
+    Comparison comparison{
+        compare(left, render_reference(scene, loaded, technique, size, Surface::mesh, [&](double share) {
+                    bar.report(share);
+                    return true;
+                }))};
+    const int worst = static_cast<int>(comparison.metrics.worst_pixel);
+    const auto probe = probe_pixel(scene, loaded, technique, size, worst % size.width, worst / size.width);
+    comparison.worst_pixel_rounding = probe ? probe->window_rounding : 0;
+    return comparison;
 }
 
 /// The contract's keys first.
-nlohmann::ordered_json figures(const Metrics &m) {
+nlohmann::ordered_json figures(const Comparison &comparison, Size size) {
+    const Metrics &m = comparison.metrics;
+    const auto width = static_cast<std::size_t>(size.width);
     return {{"rmse", m.norms.rmse},
             {"mean_abs", m.norms.mean_abs},
             {"max_abs", m.norms.max_abs},
@@ -71,7 +83,9 @@ nlohmann::ordered_json figures(const Metrics &m) {
             {"silhouette_pixels", m.silhouette_pixels},
             {"edge_pixels", m.edge_pixels},
             {"jump_pixels", m.jump_pixels},
-            {"nonfinite_pixels", m.nonfinite_pixels}};
+            {"nonfinite_pixels", m.nonfinite_pixels},
+            {"worst_pixel", {m.worst_pixel % width, m.worst_pixel / width}},
+            {"worst_pixel_rounding", comparison.worst_pixel_rounding}};
 }
 
 std::string short_number(double value) {
@@ -87,7 +101,7 @@ std::string human_table(const nlohmann::ordered_json &figures) {
                                  : value.is_null()       ? "infinite"
                                  : value.is_string()     ? value.get<std::string>()
                                                          : value.dump();
-        table += key + std::string(20 - key.size(), ' ') + text + "\n";
+        table += key + std::string(22 - key.size(), ' ') + text + "\n";
     }
     return table;
 }
@@ -119,17 +133,17 @@ int run_compare(const CompareFlags &flags, const CommonOptions &common) {
 
     DrawingSession session(common);
     const Frame drawn = session.renderer().render(scene, left, size, true);
-    const Metrics metrics = to_reference
-                                ? compare_to_reference(drawn, scene, right, size, session.renderer().resources())
-                                : compare(drawn, session.renderer().render(scene, right, size, true));
-    nlohmann::ordered_json all = figures(metrics);
+    const Comparison comparison = to_reference
+                                      ? compare_to_reference(drawn, scene, right, size, session.renderer().resources())
+                                      : Comparison{compare(drawn, session.renderer().render(scene, right, size, true))};
+    nlohmann::ordered_json all = figures(comparison, size);
     all["scene"] = flags.scene;
     all["left"] = to_string(left);
     all["right"] = (to_reference ? "reference of " : "") + to_string(right);
     all["size"] = flags.size;
     all["renderer"] = session.context().renderer();
     print(flags.json ? all.dump(2) + "\n" : human_table(all));
-    return flags.max_abs && !within(metrics, *flags.max_abs) ? 1 : 0;
+    return flags.max_abs && !within(comparison.metrics, *flags.max_abs) ? 1 : 0;
 }
 
 } // namespace
@@ -153,7 +167,9 @@ void add_compare(CLI::App &app, CommonOptions &common, Run &run) {
         "jump\n"
         "of the equation in the reference (counted apart), in linear RGB. psnr has peak 1, null where nothing "
         "differs;\n"
-        "flip is of the whole picture in 8 bits. A picture with a pixel that is not finite has infinite errors.");
+        "flip is of the whole picture in 8 bits. A picture with a pixel that is not finite has infinite errors.\n"
+        "worst_pixel is where max_abs is; worst_pixel_rounding, how far the reference's colour moves there when\n"
+        "float32 rounds the triangle's place in the window, which no float32 renderer can promise to beat.");
     add_common_options(*command, common);
     command->callback([flags, &common, &run] { run = [flags, &common] { return run_compare(*flags, common); }; });
 }

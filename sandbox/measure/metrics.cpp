@@ -125,6 +125,15 @@ Norms norms_of(const Reading &left, const Reading &right, const std::vector<std:
     return differences.norms();
 }
 
+std::size_t worst_of(const Reading &left, const Reading &right, const std::vector<std::size_t> &compared) {
+    const auto error = [&](std::size_t i) {
+        const glm::dvec3 difference = glm::abs(left.color(i) - right.color(i));
+        return std::max({difference.x, difference.y, difference.z});
+    };
+    const auto less = [&](std::size_t a, std::size_t b) { return error(a) < error(b); };
+    return compared.empty() ? 0 : *std::max_element(compared.begin(), compared.end(), less);
+}
+
 /// max_levels, differing_share and flip: what 8 bits and the eye see.
 void compare_displayed(const Reading &left, const Reading &right, const std::vector<std::size_t> &compared, Flip flip,
                        Metrics &metrics) {
@@ -149,6 +158,7 @@ Metrics compare_views(const Reading &left, const Reading &right, Flip flip) {
     Metrics metrics;
     const std::vector<std::size_t> compared = compared_pixels(left, right, metrics);
     metrics.norms = metrics.nonfinite_pixels > 0 ? not_finite : norms_of(left, right, compared);
+    metrics.worst_pixel = worst_of(left, right, compared);
     if (metrics.norms.rmse > 0) {
         metrics.psnr = -20 * std::log10(metrics.norms.rmse);
     }

@@ -1,6 +1,9 @@
 #include "reference/fragment.h"
 #include "reference/picture.h"
 
+#include <algorithm>
+#include <glm/common.hpp>
+
 namespace sandbox::reference {
 
 namespace {
@@ -43,6 +46,7 @@ class MeshPicture : public Picture {
         probe.color = fragment.color();
         probe.edge = on_edge(hit, fragment);
         probe.jump = fragment.unstable();
+        probe.window_rounding = window_rounding(hit, x, y, probe.color);
         return probe;
     }
 
@@ -50,6 +54,15 @@ class MeshPicture : public Picture {
     /// A neighbour that just misses the centre counts if it would be seen there, within the depth buffer's resolution.
     [[nodiscard]] bool on_edge(const Hit &hit, const Fragment &fragment) const {
         return hit.tie || rasteriser_.beside_wins(hit) || fragment.at_edge();
+    }
+
+    /// A window coordinate is rounded four times, each time by up to 2^-24 of the longer side: by the transform, the
+    /// division, the viewport and the interpolation.
+    [[nodiscard]] double window_rounding(const Hit &hit, int x, int y, const glm::dvec3 &color) const {
+        const double shift = 0x1p-22 * std::max(size_.width, size_.height);
+        const glm::dvec3 moved = glm::abs(Fragment(meshes_, hit, x + 0.5 + shift, y + 0.5).color() - color) +
+                                 glm::abs(Fragment(meshes_, hit, x + 0.5, y + 0.5 + shift).color() - color);
+        return std::max({moved.x, moved.y, moved.z});
     }
 
     void shade(const Hit &hit, int x, int y, std::size_t pixel, ReferenceFrame &frame) const {

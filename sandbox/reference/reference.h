@@ -57,6 +57,9 @@ struct PixelProbe {
     glm::dvec3 color{0};            ///< what render_reference gives there
     bool edge = false;
     bool jump = false;
+    /// How far the colour moves where the triangle moves in the window by 2^-22 of the picture's longer side, along
+    /// each axis: what float32 makes of it. Slivers and sharp highlights magnify that. 0 for an analytic surface.
+    double window_rounding = 0;
 };
 
 /// What pixel (x, y), row 0 at the top, is made of; nothing for the background. The light terms are those of the

@@ -48,6 +48,7 @@ TEST(Metrics, OneChannelOfOnePixel) {
     left.color.pixels[3].g = 0.75F;
     const Metrics m = compare(left, truth());
     EXPECT_DOUBLE_EQ(m.norms.max_abs, 0.25);
+    EXPECT_EQ(m.worst_pixel, 3U);
     EXPECT_DOUBLE_EQ(m.norms.mean_abs, 0.25 / 21);
     EXPECT_DOUBLE_EQ(m.norms.rmse, 0.25 / std::sqrt(21.0));
     EXPECT_DOUBLE_EQ(m.norms.p99_abs, 0.25); // 99 % of 21 is 20.8: the 21st of 21

@@ -291,6 +291,24 @@ TEST(Reference, AProbeExplainsItsPixel) {
     }
 }
 
+/// Four roundings of 2^-24 of the width, times the slope of the colour: that between the neighbours, to a per cent.
+TEST(Reference, WindowRoundingIsTheSlopeOfTheColour) {
+    Scene scene = ball({1, 2, 2});
+    scene.objects = {test::object_of(PlaneShape{{8, 8}, 1})};
+    scene.objects[0].transform.rotate_degrees = {90, 0, 0};
+    const Size size{64, 48};
+    const int x = 40;
+    const int y = 11;
+    const ReferenceFrame frame = render(scene, {}, size);
+    const auto red = [&](int column, int row) { return frame.color[static_cast<std::size_t>(row * 64 + column)].r; };
+    const double slope = std::abs(red(x + 1, y) - red(x - 1, y)) / 2 + std::abs(red(x, y + 1) - red(x, y - 1)) / 2;
+    const auto probe = probe_pixel(scene, resources_of(scene), {}, size, x, y);
+    EXPECT_GT(slope, 1e-3);
+    EXPECT_NEAR(probe->window_rounding, slope * 4 * 0x1p-24 * 64, 0.01 * slope * 0x1p-22 * 64);
+    scene.lights.clear();
+    EXPECT_EQ(probe_pixel(scene, resources_of(scene), {}, size, x, y)->window_rounding, 0);
+}
+
 TEST(Reference, WhatHasNoAnalyticSurfaceIsRefused) {
     Scene scene = ball({0, 0, 4});
     const Technique per_vertex = technique_of(Frequency::per_vertex, Model::phong);

@@ -6,39 +6,73 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <glm/common.hpp>
+#include <optional>
 
 /// The float32 pictures of the built-in scenes against the same technique in double on the same mesh.
 namespace sandbox {
 namespace {
 
-constexpr Size size{320, 240};
-
 class Truth : public GlTest {
   protected:
-    Metrics compare_with_truth(const Scene &scene, const std::string &technique) {
+    /// Every compared pixel within `bound` of the truth, or within what rounding its triangle's place in the window to
+    /// float32 does to the truth itself: on slivers of 1/50 pixel and under sharp highlights that is more.
+    /// Returns how many pixels needed that.
+    std::size_t expect_within(const Scene &scene, const std::string &technique, double bound, Size size = {320, 240}) {
+        SCOPED_TRACE(scene.name + " " + technique);
         const Technique parsed = parse_technique(technique);
+        const std::vector<ObjectResources> resources = resources_.load(scene);
         const Frame drawn = renderer_.render(scene, parsed, size, true);
-        return compare(drawn, render_reference(scene, resources_.load(scene), parsed, size));
-    }
-
-    /// `bound` is of the largest difference.
-    void expect_within(const Scene &scene, const std::string &technique, double bound) {
-        const Metrics metrics = compare_with_truth(scene, technique);
-        const std::size_t shown =
-            metrics.compared_pixels + metrics.silhouette_pixels + metrics.edge_pixels + metrics.jump_pixels;
-        std::printf("%-28s %-44s %9.2e of %9.2e\n", scene.name.c_str(), technique.c_str(), metrics.norms.max_abs,
-                    bound);
-        EXPECT_EQ(metrics.nonfinite_pixels, 0U) << scene.name << ' ' << technique;
-        EXPECT_LE(metrics.norms.max_abs, bound) << scene.name << ' ' << technique;
-        EXPECT_LT(static_cast<double>(metrics.silhouette_pixels), 0.005 * static_cast<double>(shown))
-            << scene.name << ' ' << technique;
-        // What is left out must stay little: under 2 % of what is shown, in every scene and technique.
-        EXPECT_GT(static_cast<double>(metrics.compared_pixels), 0.98 * static_cast<double>(shown))
-            << scene.name << ' ' << technique;
+        const ReferenceFrame truth = render_reference(scene, resources, parsed, size);
+        const Metrics metrics = compare(drawn, truth, Flip::without);
+        expect_all_counted(metrics);
+        std::size_t beyond = 0;
+        for (std::size_t i = 0; i < truth.color.size(); ++i) {
+            const double error = difference(drawn, truth, i);
+            if (error > bound) {
+                ++beyond;
+                expect_rounding_explains(error, bound, *probe(scene, resources, parsed, size, i));
+            }
+        }
+        // Rounding is an excuse for the few.
+        EXPECT_LE(static_cast<double>(beyond), 1e-3 * static_cast<double>(metrics.compared_pixels));
+        std::printf("%-28s %-44s %9.2e of %9.2e, %zu beyond\n", scene.name.c_str(), technique.c_str(),
+                    metrics.norms.max_abs, bound, beyond);
+        return beyond;
     }
 
     Renderer renderer_{Assets("assets"), ShaderParts(Assets("shaders"))};
     Resources resources_{Assets("assets")};
+
+  private:
+    static void expect_all_counted(const Metrics &metrics) {
+        const std::size_t shown =
+            metrics.compared_pixels + metrics.silhouette_pixels + metrics.edge_pixels + metrics.jump_pixels;
+        EXPECT_EQ(metrics.nonfinite_pixels, 0U);
+        EXPECT_LT(static_cast<double>(metrics.silhouette_pixels), 0.005 * static_cast<double>(shown));
+        // What is left out must stay little: under 2 % of what is shown, in every scene and technique.
+        EXPECT_GT(static_cast<double>(metrics.compared_pixels), 0.98 * static_cast<double>(shown));
+    }
+
+    /// 0 for a pixel that is not compared.
+    static double difference(const Frame &drawn, const ReferenceFrame &truth, std::size_t i) {
+        const std::uint32_t id = truth.object_ids[i];
+        if (id == 0 || drawn.object_ids[i] != id || truth.edge[i] != 0 || truth.jump[i] != 0) {
+            return 0;
+        }
+        const glm::dvec3 d = glm::abs(glm::dvec3(drawn.color.pixels[i]) - truth.color[i]);
+        return std::max({d.x, d.y, d.z});
+    }
+
+    static std::optional<PixelProbe> probe(const Scene &scene, const std::vector<ObjectResources> &resources,
+                                           const Technique &technique, Size size, std::size_t i) {
+        const auto width = static_cast<std::size_t>(size.width);
+        return probe_pixel(scene, resources, technique, size, static_cast<int>(i % width), static_cast<int>(i / width));
+    }
+
+    static void expect_rounding_explains(double error, double bound, const PixelProbe &probe) {
+        EXPECT_LE(error, bound + probe.window_rounding) << "object " << probe.object << ", triangle " << probe.triangle;
+    }
 };
 
 /// The bound of a picture: that of its dullest exponent, so that no object hides behind a shinier one.
@@ -60,55 +94,50 @@ TEST_F(Truth, PerPixelPicturesOfEveryScene) {
         const Scene scene = open_scene(name, Assets("assets"));
         for (const char *technique : {"per-pixel/lambert", "per-pixel/phong", "per-pixel/blinn-phong",
                                       "per-pixel/phong:power=stable", "per-pixel/blinn-phong:power=stable"}) {
-            expect_within(scene, technique, picture_bound(scene, technique));
+            EXPECT_EQ(expect_within(scene, technique, picture_bound(scene, technique)), 0U);
         }
     }
 }
 
-/// The same technique in double on both sides. Where a vertex's colour is interpolated, a sliver of 0.1 pixel between a
-/// lit and an unlit vertex turns the rounding of a window coordinate (320 * 6e-8 pixels) into more: 5e-5 is allowed.
+/// The same technique in double on both sides.
 TEST_F(Truth, OtherFrequenciesOfEveryScene) {
     for (const std::string &name : builtin_scenes(Assets("assets"))) {
         const Scene scene = open_scene(name, Assets("assets"));
         for (const std::string model : {"/lambert", "/phong", "/blinn-phong"}) {
-            expect_within(scene, "flat" + model, picture_bound(scene, "flat" + model));
-            expect_within(scene, "per-vertex" + model, 3e-5 + picture_bound(scene, "per-vertex" + model));
-            expect_within(scene, "interpolated-vectors" + model, picture_bound(scene, "interpolated-vectors" + model));
-            if (model != "/lambert") {
-                expect_within(scene, "hybrid" + model, 3e-5 + picture_bound(scene, "hybrid" + model));
+            for (const std::string frequency : {"flat", "per-vertex", "interpolated-vectors", "hybrid"}) {
+                if (frequency + model != "hybrid/lambert") {
+                    expect_within(scene, frequency + model, picture_bound(scene, frequency + model));
+                }
             }
         }
     }
 }
 
-/// So wide a highlight (n = 1; n = 8 on one rim of the three directional lights' ring) lights the very rim of round
-/// objects. In some 20 pixels there, slivers of triangles, llvmpipe's interpolated normals alone (planes from the
-/// window's corner, in float32) cost up to 4.2e-5; no formula of ours can win that back.
-TEST_F(Truth, WideHighlightsOnRims) {
-    for (const std::string &name : builtin_scenes(Assets("assets"))) {
-        Scene scene = open_scene(name, Assets("assets"));
-        for (const double n : {1.0, 8.0}) {
-            for (Object &object : scene.objects) {
-                object.material.shininess = n;
-            }
-            expect_within(scene, "per-pixel/phong", 5e-5 + 4e-7 * n);
-            expect_within(scene, "per-pixel/blinn-phong", 5e-5 + 4e-7 * n);
-        }
+Scene with_exponent(Scene scene, double n) {
+    for (Object &object : scene.objects) {
+        object.material.shininess = n;
     }
+    return scene;
 }
 
 TEST_F(Truth, ExponentsUpToTenThousand) {
     for (const std::string &name : builtin_scenes(Assets("assets"))) {
-        Scene scene = open_scene(name, Assets("assets"));
-        for (const double n : {8.0, 128.0, 1000.0, 1e4}) {
-            if (n == 8 && name == "three-directional-lights") {
-                continue; // above
+        for (const double n : {1.0, 8.0, 128.0, 1000.0, 1e4}) {
+            const Scene scene = with_exponent(open_scene(name, Assets("assets")), n);
+            for (const std::string technique : {"per-pixel/phong", "per-pixel/blinn-phong"}) {
+                expect_within(scene, technique, 2e-5 + 4e-7 * n);
+                expect_within(scene, technique + ":power=stable", 2e-5);
             }
-            for (Object &object : scene.objects) {
-                object.material.shininess = n;
-            }
-            expect_within(scene, "per-pixel/phong", 2e-5 + 4e-7 * n);
-            expect_within(scene, "per-pixel/blinn-phong", 2e-5 + 4e-7 * n);
+        }
+    }
+}
+
+TEST_F(Truth, LargerPictures) {
+    for (const Size size : {Size{800, 600}, Size{1280, 720}}) {
+        for (const std::string &name : builtin_scenes(Assets("assets"))) {
+            const Scene scene = open_scene(name, Assets("assets"));
+            expect_within(scene, "per-pixel/phong", picture_bound(scene, "per-pixel/phong"), size);
+            expect_within(with_exponent(scene, 1), "per-pixel/blinn-phong", 2e-5 + 4e-7, size);
         }
     }
 }
@@ -119,11 +148,8 @@ TEST_F(Truth, StablePowerOnFlatFaces) {
     scene.objects.push_back({"floor", PlaneShape{{8, 8}, 8}, {}, {}, false});
     scene.objects.back().transform.translate = {0, -1.5, 0};
     for (const double n : {1.0, 8.0, 128.0, 1000.0, 1e4}) {
-        for (Object &object : scene.objects) {
-            object.material.shininess = n;
-        }
-        expect_within(scene, "per-pixel/phong:power=stable", 2e-5);
-        expect_within(scene, "per-pixel/blinn-phong:power=stable", 2e-5);
+        EXPECT_EQ(expect_within(with_exponent(scene, n), "per-pixel/phong:power=stable", 2e-5), 0U);
+        EXPECT_EQ(expect_within(with_exponent(scene, n), "per-pixel/blinn-phong:power=stable", 2e-5), 0U);
     }
 }
 
