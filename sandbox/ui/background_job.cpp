@@ -66,9 +66,10 @@ std::string BackgroundJob::error() const {
     return reporter_.error_;
 }
 
-bool BackgroundJob::take_news() {
+News BackgroundJob::take_news() {
     const std::lock_guard lock(reporter_.mutex_);
-    return std::exchange(reporter_.news_, false);
+    const bool news = std::exchange(reporter_.news_, false);
+    return !news ? News::none : reporter_.state_ == JobState::running ? News::progress : News::result;
 }
 
 } // namespace sandbox

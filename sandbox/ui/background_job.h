@@ -17,6 +17,7 @@ struct JobProgress {
 };
 
 enum class JobState { running, done, failed };
+enum class News { none, progress, result }; ///< from little to much
 
 /// The work's side of a job; usable from every thread that the work starts.
 class JobReporter {
@@ -61,8 +62,8 @@ class BackgroundJob {
     [[nodiscard]] JobProgress progress() const;
     /// Why it failed.
     [[nodiscard]] std::string error() const;
-    /// Anything new since the last call?
-    bool take_news();
+    /// What is new since the last call; `result`: it has ended.
+    News take_news();
 
   private:
     JobReporter reporter_;

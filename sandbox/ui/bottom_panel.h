@@ -15,8 +15,8 @@ class BottomPanel {
     [[nodiscard]] static float height(const Session &session, float room);
     /// In the current ImGui window, which has that height.
     void draw(Session &session, ViewPainter &painter, const Fonts &fonts, float room);
-    /// Every tab's, shown or not.
-    bool take_news(Session &session);
+    /// The greatest of all tabs, shown or not.
+    News take_news(Session &session);
 
   private:
     struct Tab {

@@ -40,6 +40,13 @@ std::string file_stem(const std::string &name) {
     return stem.empty() || stem.front() == '.' ? "scene" + stem : stem;
 }
 
+/// scene-007.png
+std::string numbered(const std::string &name, int number, const char *ending) {
+    char counter[16];
+    std::snprintf(counter, sizeof counter, "-%03d", number);
+    return file_stem(name) + counter + ending;
+}
+
 } // namespace
 
 PictureOptions picture_options(const Session &session, Size each) {
@@ -60,14 +67,26 @@ PictureOptions picture_options(const Session &session, Size each) {
 
 fs::path free_name(const fs::path &folder, const std::string &name) {
     for (int number = 1; number < 100000; ++number) {
-        char counter[16];
-        std::snprintf(counter, sizeof counter, "-%03d.png", number);
-        const fs::path path = folder / (file_stem(name) + counter);
+        const fs::path path = folder / numbered(name, number, ".png");
         if (!fs::exists(path) && !fs::exists(sidecar_path(path))) {
             return path;
         }
     }
     throw InputError(folder.string() + ": holds too many captures of " + name);
+}
+
+fs::path new_folder(const fs::path &folder, const std::string &name) {
+    for (int number = 1; number < 100000; ++number) {
+        const fs::path path = folder / numbered(name, number, "");
+        std::error_code error;
+        if (fs::create_directory(path, error)) {
+            return path;
+        }
+        if (error) {
+            throw InputError("cannot make the folder " + path.string() + ": " + error.message());
+        }
+    }
+    throw InputError(folder.string() + ": holds too many folders of " + name);
 }
 
 fs::path capture_folder() {

@@ -9,7 +9,7 @@ namespace sandbox {
 
 WorkerContext::WorkerContext() {
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE); // the other hints are as the window set them
-    window_ = glfwCreateWindow(1, 1, "Shading Sandbox: measuring", nullptr, nullptr);
+    window_ = glfwCreateWindow(1, 1, "measuring", nullptr, nullptr);
     if (window_ == nullptr) {
         const char *reason = nullptr;
         glfwGetError(&reason);

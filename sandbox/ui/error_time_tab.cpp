@@ -1,22 +1,184 @@
 #include "ui/tab_content.h"
 
-#include <imgui.h>
+#include "ui/error_time_view.h"
+#include "ui/measured_rows.h"
+#include "ui/report_files.h"
+#include "ui/report_job.h"
+#include "ui/theme.h"
+#include "ui/widgets.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
 
 namespace sandbox {
 
 namespace {
 
+/// Runs the measurement that the command `report` runs, and shows what it found.
 class ErrorTimeTab final : public TabContent {
   public:
     explicit ErrorTimeTab(const DrawingSupplies &supplies) : supplies_(supplies) {}
     void draw(Session &session, ViewPainter &painter, const Fonts &fonts) override;
+    News take_news(Session &session) override;
 
   private:
+    void start(Session &session);
+    void settle(Session &session);
+    void write_files(Session &session) const;
+    void controls(Session &session);
+    void progress(Session &session);
+    void findings(Session &session);
+    void facts() const;
+
     DrawingSupplies supplies_;
+    bool quick_ = true;
+    ErrorTimeView view_;
+    std::unique_ptr<ReportJob> job_; ///< while one runs
+    std::string running_name_;       ///< of the scene that the job measures
+    std::optional<ReportRun> run_;   ///< the last one that brought any row
+    std::string name_;               ///< of its scene
+    std::string failure_;
 };
 
-void ErrorTimeTab::draw(Session &, ViewPainter &, const Fonts &) {
-    ImGui::TextUnformatted(supplies_.by.renderer.c_str());
+void ErrorTimeTab::start(Session &session) {
+    try {
+        failure_.clear();
+        running_name_ = session.document.opened->name;
+        job_ = start_report(supplies_, session.document.scene, quick_);
+    } catch (const std::exception &error) {
+        failure_ = error.what();
+    }
+}
+
+News ErrorTimeTab::take_news(Session &session) {
+    const News news = job_ ? job_->job().take_news() : News::none;
+    if (news == News::result) {
+        settle(session);
+    }
+    return news;
+}
+
+/// The job has ended: keeps what it brought.
+void ErrorTimeTab::settle(Session &session) {
+    if (job_->job().state() == JobState::failed) {
+        failure_ = "Not measured: " + job_->job().error();
+        session.message = {failure_, true};
+    } else if (ReportRun run = job_->take_result(); complete_rows(run.measured) > 0) {
+        const bool finished = run.measured.finished;
+        if (!run_) {
+            view_.model = session.document.right.model;
+        }
+        run_ = std::move(run);
+        name_ = running_name_;
+        session.message = {finished ? "Measured." : "Cancelled; what was measured is shown.", false};
+    } else {
+        session.message = {"Cancelled before any run time was taken.", false};
+    }
+    job_.reset();
+}
+
+void ErrorTimeTab::write_files(Session &session) const {
+    try {
+        session.message = {"Exported to " + write_report(*run_, name_).string(), false};
+    } catch (const std::exception &error) {
+        session.message = {std::string("Not exported: ") + error.what(), true};
+    }
+}
+
+void ErrorTimeTab::progress(Session &session) {
+    const bool cancelled = job_->job().cancelled();
+    ImGui::BeginDisabled(cancelled);
+    if (ImGui::Button("Cancel")) {
+        job_->job().cancel();
+    }
+    ImGui::EndDisabled();
+    hint_for_item(session, "Stops; what was measured until then stays.");
+    ImGui::SameLine();
+    const JobProgress progress = job_->job().progress();
+    char share[16];
+    std::snprintf(share, sizeof share, "%.0f %%   ", progress.share * 100);
+    const std::string text = cancelled ? "stopping" : share + progress.doing;
+    ImGui::ProgressBar(static_cast<float>(progress.share), {-1, 0}, text.c_str());
+}
+
+void ErrorTimeTab::controls(Session &session) {
+    if (toggle_button("quick", quick_)) {
+        quick_ = true;
+    }
+    hint_for_item(session, "320x240, up to 64 rings, 5 rounds: an overview, in less than a minute.");
+    ImGui::SameLine(0, 2);
+    if (toggle_button("full", !quick_)) {
+        quick_ = false;
+    }
+    hint_for_item(session, "640x480, up to 512 rings, 21 rounds: what can be quoted, in many minutes.");
+    ImGui::SameLine();
+    if (ImGui::Button("Run")) {
+        start(session);
+    }
+    hint_for_item(session, "Measures the scene as it is now; times are steadiest while the window is left alone.");
+    if (run_) {
+        ImGui::SameLine();
+        if (ImGui::Button("Export")) {
+            write_files(session);
+        }
+        hint_for_item(session, "Writes report.html, report.json and report.csv into a new folder.");
+    }
+}
+
+/// How the numbers were taken.
+void ErrorTimeTab::facts() const {
+    const WorkPrecision &m = run_->measured;
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextColored(quiet_text(), "%s, %dx%d, medians of %zu rounds: %s, on %s.", name_.c_str(),
+                       m.options.size.width, m.options.size.height, complete_rounds(m),
+                       std::string(report_clock).c_str(), run_->machine.renderer.c_str());
+    ImGui::PopTextWrapPos();
+}
+
+void ErrorTimeTab::findings(Session &session) {
+    const WorkPrecision &m = run_->measured;
+    if (!job_) {
+        same_line_if_fits(ImGui::GetFontSize() * 14); // beside the controls
+    }
+    error_time_choices(session, m, view_);
+    error_time_legend(session, view_);
+    const float em = ImGui::GetFontSize();
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const bool beside = room.x > em * 46;
+    const float table = em * 21;
+    error_time_figure(session, m, view_, {beside ? room.x - table : room.x, std::max(room.y, em * 10)});
+    if (beside) {
+        ImGui::SameLine();
+    }
+    ImGui::BeginGroup();
+    cheapest_table(session, m, view_);
+    ImGui::Spacing();
+    facts();
+    ImGui::EndGroup();
+}
+
+void ErrorTimeTab::draw(Session &session, ViewPainter &, const Fonts &) {
+    if (job_) {
+        progress(session);
+    } else {
+        controls(session);
+    }
+    if (!failure_.empty()) {
+        ImGui::PushTextWrapPos(0);
+        ImGui::TextColored(error_text(), "%s", failure_.c_str());
+        ImGui::PopTextWrapPos();
+    }
+    if (run_) {
+        findings(session);
+    } else {
+        ImGui::PushTextWrapPos(0);
+        ImGui::TextColored(quiet_text(),
+                           "Run draws every technique on meshes from coarse to fine, compares each picture "
+                           "with the truth in double precision, and takes its time: %s, on %s.",
+                           std::string(report_clock).c_str(), supplies_.by.renderer.c_str());
+        ImGui::PopTextWrapPos();
+    }
 }
 
 } // namespace

@@ -19,12 +19,13 @@ class TabContent {
 
     /// In the current ImGui window; only while the tab is shown.
     virtual void draw(Session &session, ViewPainter &painter, const Fonts &fonts) = 0;
-    /// Whenever the window wakes up, shown or not; true: there is something new to draw.
-    virtual bool take_news(Session &) { return false; }
+    /// Whenever the window wakes up, shown or not: what there is to draw.
+    virtual News take_news(Session &) { return News::none; }
 };
 
 /// One a tab; bottom_panel.cpp lists them.
 std::unique_ptr<TabContent> error_time_tab(const DrawingSupplies &supplies);
 std::unique_ptr<TabContent> glsl_tab(const DrawingSupplies &supplies);
+std::unique_ptr<TabContent> stability_tab(const DrawingSupplies &supplies);
 
 } // namespace sandbox

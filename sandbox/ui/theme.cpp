@@ -1,6 +1,7 @@
 #include "ui/theme.h"
 
 #include <initializer_list>
+#include <iterator>
 
 namespace sandbox {
 
@@ -43,7 +44,7 @@ void apply_colors(const Palette &p) {
     set({ImGuiCol_FrameBg, ImGuiCol_Button, ImGuiCol_Tab}, p.frame);
     set({ImGuiCol_FrameBgHovered, ImGuiCol_ButtonHovered, ImGuiCol_TabHovered}, p.frame_hovered);
     set({ImGuiCol_FrameBgActive, ImGuiCol_TabActive}, p.frame_active);
-    set({ImGuiCol_ButtonActive, ImGuiCol_SliderGrab}, p.accent);
+    set({ImGuiCol_ButtonActive, ImGuiCol_SliderGrab, ImGuiCol_PlotHistogram}, p.accent);
     set({ImGuiCol_CheckMark, ImGuiCol_NavHighlight}, p.right);
     set({ImGuiCol_SliderGrabActive}, p.accent_hovered);
     set({ImGuiCol_Header}, p.header);
@@ -56,7 +57,11 @@ void apply_colors(const Palette &p) {
 }
 
 /// The one in use, told by its background.
-Palette palette() { return ImGui::GetStyle().Colors[ImGuiCol_WindowBg].x < 0.5F ? dark_palette() : light_palette(); }
+bool is_dark() { return ImGui::GetStyle().Colors[ImGuiCol_WindowBg].x < 0.5F; }
+Palette palette() { return is_dark() ? dark_palette() : light_palette(); }
+
+constexpr unsigned dark_series[] = {0xA9B0BA, 0xFF7B8A, 0x5DB7F5, 0x5FD3A0, 0xC79BF0};
+constexpr unsigned light_series[] = {0x7A7F87, 0xD1495B, 0x0072B2, 0x2A9D6A, 0x9A57C8};
 
 } // namespace
 
@@ -83,6 +88,11 @@ void apply_theme(bool dark, float scale) {
 ImVec4 quiet_text() { return palette().quiet; }
 ImVec4 error_text() { return palette().error; }
 ImVec4 text_on_accent() { return palette().on_accent; }
+ImVec4 series_color(int style) {
+    const auto i = static_cast<std::size_t>(style) % std::size(dark_series);
+    return rgb(is_dark() ? dark_series[i] : light_series[i]);
+}
+ImVec4 front_color() { return rgb(is_dark() ? 0xB98D0A : 0xF2B705, 0.55F); }
 ImVec4 side_color(bool right) { return right ? palette().right : palette().left; }
 
 } // namespace sandbox

@@ -13,5 +13,8 @@ ImVec4 error_text();     ///< what went wrong
 ImVec4 text_on_accent(); ///< on pressed buttons
 /// A's orange or B's blue, wherever A and B are named; a difference has the colour of the brighter one.
 ImVec4 side_color(bool right);
+/// Of the techniques in a plot, and of the front below them: as in report.html.
+ImVec4 series_color(int style);
+ImVec4 front_color();
 
 } // namespace sandbox

@@ -97,9 +97,9 @@ void Window::take_input() {
     const Arrivals arrivals = window_.take_arrivals();
     const bool reloaded = polls_shaders_ && painter_.reload_changed_shaders();
     frames_left_ = arrivals.any || reloaded ? settling_frames : frames_left_;
-    if (bottom_.take_news(session_)) {
-        frames_left_ = std::max(frames_left_, 1); // few frames beside what is being measured
-    }
+    const News news = bottom_.take_news(session_);
+    const int frames = news == News::none ? 0 : news == News::progress ? 1 : settling_frames; // few beside a measurement
+    frames_left_ = std::max(frames_left_, frames);
     const bool typing = ImGui::GetIO().WantTextInput;
     if (!ImGui::IsAnyItemActive() || typing) {
         for (const KeyPress &press : arrivals.keys) {

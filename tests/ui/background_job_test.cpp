@@ -23,8 +23,8 @@ TEST(BackgroundJob, EndsAndSaysSo) {
     wait_for_end(job);
     EXPECT_EQ(job.state(), JobState::done);
     EXPECT_EQ(result, 7);
-    EXPECT_TRUE(job.take_news());
-    EXPECT_FALSE(job.take_news()) << "news are told once";
+    EXPECT_EQ(job.take_news(), News::result);
+    EXPECT_EQ(job.take_news(), News::none) << "news are told once";
     EXPECT_FALSE(job.cancelled());
 }
 
@@ -33,7 +33,7 @@ TEST(BackgroundJob, BringsItsErrorBack) {
     wait_for_end(job);
     EXPECT_EQ(job.state(), JobState::failed);
     EXPECT_EQ(job.error(), "no such light");
-    EXPECT_TRUE(job.take_news());
+    EXPECT_EQ(job.take_news(), News::result);
 }
 
 TEST(BackgroundJob, TellsHowFarItIs) {
