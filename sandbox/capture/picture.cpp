@@ -38,9 +38,16 @@ Display parse_display(std::string_view text) {
 
 std::string_view to_string(Display display) { return display == Display::srgb ? "srgb" : "linear"; }
 
-Image draw_picture(const Scene &scene, const PictureOptions &options, const DrawView &draw) {
+std::string textbook_name(const Technique &technique) {
+    Technique plain;
+    plain.model = technique.model;
+    const std::string name = to_string(plain);
+    return "textbook float32" + name.substr(name.find('/'));
+}
+
+Image draw_picture(const Scene &scene, const PictureOptions &options, const DrawView &draw, const DrawView &textbook) {
     const ViewSizes sizes = view_sizes(options.layout, options.size);
-    Image left = draw(scene, options.left, sizes.left);
+    Image left = (options.textbook_left ? textbook : draw)(scene, options.left, sizes.left);
     if (options.layout == Layout::single) {
         return left;
     }
@@ -55,8 +62,8 @@ ByteImage show_picture(const Image &linear, const PictureOptions &options) {
         draw_divider(shown, split);
     }
     if (options.labels) {
-        draw_labels(shown, options.layout, split, to_string(options.left), to_string(options.right),
-                    difference_caption(options));
+        const std::string left = options.textbook_left ? textbook_name(options.left) : to_string(options.left);
+        draw_labels(shown, options.layout, split, left, to_string(options.right), difference_caption(options));
     }
     return shown;
 }

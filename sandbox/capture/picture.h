@@ -20,8 +20,10 @@ std::string_view to_string(Display display);
 
 struct PictureOptions {
     Layout layout = Layout::single;
-    Technique left;       ///< the only one of Layout::single
-    Technique right;      ///< not used in Layout::single
+    Technique left;  ///< the only one of Layout::single
+    Technique right; ///< not used in Layout::single
+    /// The left view in a textbook's float32 on the processor, by the left technique's model (textbook_picture()).
+    bool textbook_left = false;
     Size size{1280, 720}; ///< of the whole picture
     Display display = Display::linear;
     double exposure = 1;
@@ -32,8 +34,13 @@ struct PictureOptions {
     bool operator==(const PictureOptions &) const = default;
 };
 
-/// Linear RGB: what a PFM holds. A difference is left - right, without gain.
-Image draw_picture(const Scene &scene, const PictureOptions &options, const DrawView &draw);
+/// What a textbook's picture is called: "textbook float32/phong". It has the technique's model alone.
+std::string textbook_name(const Technique &technique);
+
+/// Linear RGB: what a PFM holds. A difference is left - right, without gain. `textbook` draws the left view where that
+/// is asked for; `draw` all else.
+Image draw_picture(const Scene &scene, const PictureOptions &options, const DrawView &draw,
+                   const DrawView &textbook = {});
 
 /// What a PNG holds: `linear` (of draw_picture) through gain * |difference|, exposure and the display's curve, then a
 /// wipe's divider, then labels.

@@ -60,6 +60,9 @@ std::string sidecar_text(const Scene &scene, const PictureOptions &options, cons
                      {"exposure", options.exposure},
                      {"gain", options.gain},
                      {"labels", options.labels}};
+    if (options.textbook_left) {
+        out["textbook_left"] = true;
+    }
     if (options.layout == Layout::wipe) {
         out["divider"] = options.divider;
     }
@@ -79,6 +82,7 @@ std::optional<PictureOptions> sidecar_options(std::string_view text, std::string
     read_key(from, "layout", name,
              [&](const auto &v) { options.layout = parse_layout(v.template get<std::string>()); });
     read_key(from, "techniques", name, [&](const auto &v) { read_techniques(v, options); });
+    read_key(from, "textbook_left", name, [&](const auto &v) { options.textbook_left = v.template get<bool>(); });
     read_key(from, "size", name, [&](const auto &v) {
         options.size = {v.at(0).template get<int>(), v.at(1).template get<int>()};
     });

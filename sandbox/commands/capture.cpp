@@ -6,6 +6,7 @@
 #include "commands/progress_bar.h"
 #include "commands/session.h"
 #include "image/image_file.h"
+#include "measure/stability.h"
 
 #include <cmath>
 #include <memory>
@@ -33,6 +34,7 @@ void apply_one_view(const CaptureFlags &flags, PictureOptions &options) {
     }
     options.layout = Layout::single;
     options.left = options.right = with_flag("--technique", [&] { return parse_technique(*flags.technique); });
+    options.textbook_left = false;
 }
 
 void apply_two_views(const CaptureFlags &flags, PictureOptions &options) {
@@ -42,6 +44,7 @@ void apply_two_views(const CaptureFlags &flags, PictureOptions &options) {
     }
     if (flags.left) {
         options.left = with_flag("--left", [&] { return parse_technique(*flags.left); });
+        options.textbook_left = false;
     }
     if (flags.right) {
         options.right = with_flag("--right", [&] { return parse_technique(*flags.right); });
@@ -137,11 +140,14 @@ int run_capture(const CaptureFlags &flags, const CommonOptions &common) {
     const DrawView draw = [&](const Scene &s, const Technique &t, Size size) {
         return session.renderer().render(s, t, size).color;
     };
+    const DrawView textbook = [&](const Scene &s, const Technique &t, Size size) {
+        return textbook_picture(s, session.renderer().resources().load(s), t, size).color;
+    };
     ProgressBar bar("capture " + flags.out.filename().string());
     for (int i = 0; i < frames; ++i) {
         scene.camera = orbit_camera(camera, orbit_degrees(flags.orbit.value_or(0), i, frames));
         const std::filesystem::path path(flags.frames ? frame_name(flags.out.string(), i) : flags.out.string());
-        const Image linear = draw_picture(scene, options, draw);
+        const Image linear = draw_picture(scene, options, draw, textbook);
         write_output(path, pfm ? encode_pfm(linear) : encode_png(show_picture(linear, options)));
         if (!flags.no_sidecar) {
             write_output(sidecar_path(path), sidecar_text(scene, options, by));

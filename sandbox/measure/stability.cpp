@@ -65,6 +65,11 @@ StabilityRow judge_stability(const Frame &drawn, const ReferenceFrame &truth, co
     return row;
 }
 
+double stability_exposure(const StabilityCase &one, const ReferenceFrame &truth) {
+    const double white = one.unit == ErrorUnit::brightest_value ? brightest(truth) : 1;
+    return white > 0 ? 1 / white : 1;
+}
+
 StabilityResult run_stability_case(const StabilityCase &one, const StabilityDraw &draw, Size size) {
     StabilityResult result;
     result.of = one;
@@ -80,14 +85,13 @@ StabilityResult run_stability_case(const StabilityCase &one, const StabilityDraw
         const Frame naive = one.textbook ? draw.picture(one.scene, textbook, size)
                                          : textbook_picture(one.scene, resources, technique, size);
         result.textbook = judge_stability(naive, truth, textbook, one.bound, one.unit);
-        const double white = one.unit == ErrorUnit::brightest_value ? brightest(truth) : 1;
-        const double exposure = white > 0 ? 1 / white : 1;
-        result.textbook_image = to_display(naive.color, Display::linear, exposure);
-        result.robust_image = to_display(frame.color, Display::linear, exposure);
+        result.exposure = stability_exposure(one, truth);
+        result.textbook_image = to_display(naive.color, Display::linear, result.exposure);
+        result.robust_image = to_display(frame.color, Display::linear, result.exposure);
         // Rounded to float after the exposure: a truth beyond float's range must still be shown.
         ReferenceFrame shown = truth;
         for (glm::dvec3 &color : shown.color) {
-            color *= exposure;
+            color *= result.exposure;
         }
         result.reference_image = to_display(to_frame(shown).color);
     }

@@ -51,7 +51,8 @@ struct StabilityResult {
     StabilityRow textbook;
     /// Run time of of.techniques[0] over that of the textbook's power; none where there is one program.
     std::optional<double> cost;
-    ByteImage textbook_image, robust_image, reference_image; ///< exposed so that the brightest value is white
+    double exposure = 1; ///< of the pictures: see stability_exposure()
+    ByteImage textbook_image, robust_image, reference_image;
 
     [[nodiscard]] bool passed() const;
     /// The row with the largest error.
@@ -78,6 +79,10 @@ constexpr double most_silhouette_share = 0.02;
 /// Judges `drawn` against `truth` as a case's bound says.
 StabilityRow judge_stability(const Frame &drawn, const ReferenceFrame &truth, const Technique &technique, double bound,
                              ErrorUnit unit);
+
+/// What the pictures of a case are multiplied by: 1, or what makes the brightest value of `truth` white where the case
+/// counts in brightest values.
+double stability_exposure(const StabilityCase &one, const ReferenceFrame &truth);
 
 StabilityResult run_stability_case(const StabilityCase &one, const StabilityDraw &draw, Size size = stability_size);
 

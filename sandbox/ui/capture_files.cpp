@@ -56,6 +56,7 @@ PictureOptions picture_options(const Session &session, Size each) {
     const bool single_right = options.layout == Layout::single && session.view.show_right;
     options.left = single_right ? document.right : document.left;
     options.right = document.right;
+    options.textbook_left = !single_right && document.left_is_textbook();
     options.size = options.layout == Layout::side_by_side ? Size{each.width * 2, each.height} : each;
     options.display = document.display;
     options.exposure = document.exposure;

@@ -5,6 +5,7 @@
 #include "shading/technique.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace sandbox {
@@ -19,12 +20,15 @@ struct OpenedScene {
 struct Document {
     Scene scene;
     Technique left, right;
+    /// While A is this technique, it is drawn in a textbook's float32 on the processor instead (textbook_picture()).
+    std::optional<Technique> textbook;
     double exposure = 1; ///< multiplies before the display transfer curve
     Display display = Display::linear;
     /// Narrower views see as much from left to right as a picture of this aspect; 0: just the scene's angle of view.
     double least_aspect = 1.2;
     std::shared_ptr<const OpenedScene> opened;
     bool operator==(const Document &) const = default;
+    [[nodiscard]] bool left_is_textbook() const { return textbook == left; }
 };
 
 /// A document as a scene is first seen.

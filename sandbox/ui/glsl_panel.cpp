@@ -99,6 +99,11 @@ std::size_t stage_choice() {
 
 void column_title(Session &session, const Listing &listing, std::size_t stage, bool right) {
     ImGui::TextColored(side_color(right), "%s   %zu lines", right ? "B" : "A", listing.lines[stage].size());
+    if (!right && session.document.left_is_textbook()) {
+        hint_for_item(session, "A is drawn on the processor, as a textbook has it; this is its technique's program.");
+        ImGui::SameLine();
+        ImGui::TextColored(error_text(), "not what A shows");
+    }
     ImGui::SameLine();
     ImGui::PushID(right ? 1 : 0);
     if (ImGui::SmallButton("copy")) {

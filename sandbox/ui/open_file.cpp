@@ -33,6 +33,7 @@ bool is_builtin(const std::string &name, const Assets &assets) {
 void take_sidecar(OpenedFile &file, const PictureOptions &options) {
     file.capture = true;
     file.left = options.left;
+    file.textbook_left = options.textbook_left;
     if (options.layout != Layout::single) {
         file.right = options.right;
     }
@@ -63,6 +64,9 @@ Document document_from(const OpenedFile &file, const Session &session) {
     const Document &now = session.document;
     Document document =
         document_of(file.name, file.scene, file.left.value_or(now.left), file.right.value_or(now.right));
+    if (file.textbook_left) {
+        document.textbook = document.left;
+    }
     document.display = file.display.value_or(now.display);
     document.exposure = file.exposure.value_or(now.exposure);
     document.least_aspect = file.capture ? 0 : document.least_aspect; // its camera is what the picture was taken with

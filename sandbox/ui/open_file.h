@@ -14,6 +14,7 @@ struct OpenedFile {
     Scene scene;
     bool capture = false; ///< a sidecar: what follows is there
     std::optional<Technique> left, right;
+    bool textbook_left = false;
     std::optional<Display> display;
     std::optional<double> exposure;
     std::optional<ViewMode> mode;

@@ -22,9 +22,18 @@ void key_rows(Session &session, const TechniqueKey &key, const char *title) {
     }
 }
 
+/// Where A is drawn on the processor: says so, and the way out of it.
+void textbook_row(Session &session) {
+    bool textbook = session.document.left_is_textbook();
+    if (textbook && ImGui::Checkbox("A: a textbook's float32, on the processor", &textbook)) {
+        session.document.textbook.reset();
+    }
+}
+
 } // namespace
 
 void technique_panel(Session &session) {
+    textbook_row(session);
     const auto keys = technique_keys();
     if (!begin_technique_table("technique")) {
         return;

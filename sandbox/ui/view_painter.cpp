@@ -1,5 +1,7 @@
 #include "ui/view_painter.h"
 
+#include "measure/stability.h"
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -47,6 +49,16 @@ void ViewPainter::draw_timed(Side &side, const Key &key) {
     }
 }
 
+void ViewPainter::draw_textbook(Side &side, const Key &key) {
+    if (key.wireframe) {
+        renderer_.draw(key.scene, key.technique, *side.target); // the depth that hides lines
+    }
+    const auto start = std::chrono::steady_clock::now();
+    const auto resources = renderer_.resources().load(key.scene);
+    side.target->write_color(textbook_picture(key.scene, resources, key.technique, key.size).color);
+    side.shown.milliseconds = milliseconds_since(start);
+}
+
 /// Returns the number of non-finite pixels.
 unsigned ViewPainter::display_side(Side &side, const DisplayKey &display) {
     side.displayed = display;
@@ -68,7 +80,7 @@ bool ViewPainter::paint_side(Side &side, const Key &key, const DisplayKey &displ
                 side.target.emplace(key.size);
                 side.display.emplace(key.size);
             }
-            draw_timed(side, key);
+            key.textbook ? draw_textbook(side, key) : draw_timed(side, key);
             side.shown.warning = renderer_.shader_error();
             side.shown.nonfinite = display_side(side, display);
             if (key.wireframe) { // its lines are counted as little as they are timed
@@ -115,7 +127,8 @@ void ViewPainter::paint(const Session &session, Size each) {
     bool changed = false;
     const Scene seen = scene_in_view(document, each);
     for (const bool right : {false, true}) {
-        const Key key{seen, session.technique(right), each, session.view.wireframe, reloads_};
+        const bool textbook = !right && document.left_is_textbook();
+        const Key key{seen, session.technique(right), each, textbook, session.view.wireframe, reloads_};
         changed |= paint_side(sides_[right ? 1 : 0], key, display);
     }
     measured_ = measured_ && !changed;

@@ -51,6 +51,7 @@ class ViewPainter {
         Scene scene;
         Technique technique;
         Size size;
+        bool textbook = false; ///< on the processor
         bool wireframe = false;
         int shaders = 0; ///< counts reloads
         bool operator==(const Key &) const = default;
@@ -70,6 +71,7 @@ class ViewPainter {
 
     bool paint_side(Side &side, const Key &key, const DisplayKey &display);
     void draw_timed(Side &side, const Key &key);
+    void draw_textbook(Side &side, const Key &key);
     unsigned display_side(Side &side, const DisplayKey &display);
     void paint_difference(double gain, bool changed);
 

@@ -1,5 +1,6 @@
 #include "ui/viewports.h"
 
+#include "capture/picture.h"
 #include "ui/difference_scale.h"
 #include "ui/theme.h"
 #include "ui/view_mouse.h"
@@ -97,7 +98,8 @@ void draw_text_line(const Rect &rect, float y, ImVec4 color, const std::string &
 
 /// "A  per-vertex / phong", then what differs from the defaults.
 std::string side_name(const Session &session, bool right) {
-    std::string text = to_string(session.technique(right));
+    const bool textbook = !right && session.document.left_is_textbook();
+    std::string text = textbook ? textbook_name(session.document.left) : to_string(session.technique(right));
     if (const auto slash = text.find('/'); slash != std::string::npos) {
         text.replace(slash, 1, " / ");
     }

@@ -65,6 +65,16 @@ TEST(Picture, ASingleViewIsDrawnOnce) {
     EXPECT_EQ(drawn, 1);
 }
 
+TEST(Picture, ATextbooksLeftViewIsDrawnByIt) {
+    PictureOptions options = two_views(Layout::side_by_side, {4, 2});
+    options.textbook_left = true;
+    const auto white = [](const Scene &, const Technique &, Size size) { return Image(size, glm::vec4(1)); };
+    const ByteImage picture = show_picture(draw_picture({}, options, fake, white), options);
+    EXPECT_EQ(pixel(picture, 1, 0), (Rgb{255, 255, 255}));
+    EXPECT_EQ(pixel(picture, 2, 0), right_color);
+    EXPECT_EQ(textbook_name(options.left), "textbook float32/phong");
+}
+
 TEST(Picture, AWipeHasADividerAndItsDataHasNone) {
     const PictureOptions options = two_views(Layout::wipe, {8, 2});
     const Image data = draw_picture({}, options, fake);

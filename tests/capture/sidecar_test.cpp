@@ -23,6 +23,7 @@ PictureOptions unusual() {
     options.layout = Layout::wipe;
     options.left = parse_technique("per-vertex/phong:normals=untransformed");
     options.right = parse_technique("per-pixel/blinn-phong:power=stable");
+    options.textbook_left = true;
     options.size = {641, 359};
     options.display = Display::srgb;
     options.exposure = 0.1;

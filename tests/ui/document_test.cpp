@@ -63,6 +63,24 @@ TEST(Document, ACaptureIsShownAsItWasTaken) {
     EXPECT_EQ(scene_in_view(restored, {300, 600}), seen); // not widened a second time
 }
 
+TEST(Document, ATextbooksPictureLastsAsLongAsItsTechnique) {
+    TemporaryFolder folder;
+    Session session = session_with(Scene{});
+    EXPECT_FALSE(session.document.left_is_textbook());
+    session.document.textbook = session.document.left;
+    EXPECT_TRUE(session.document.left_is_textbook());
+
+    const auto path = folder.path() / "a.png.json";
+    write_file(path, sidecar_text(Scene{}, picture_options(session, {300, 200}), {}));
+    EXPECT_TRUE(document_from(open_file(path.string(), Assets("assets")), session_with(Scene{})).left_is_textbook());
+    session.view.mode = ViewMode::flip;
+    session.view.show_right = true;
+    EXPECT_FALSE(picture_options(session, {300, 200}).textbook_left);
+
+    session.document.left.model = Model::lambert;
+    EXPECT_FALSE(session.document.left_is_textbook());
+}
+
 TEST(Document, ASceneBringsNoTechnique) {
     const OpenedFile file = open_file("three-point-lights", Assets("assets"));
     EXPECT_EQ(file.name, "three-point-lights");
