@@ -5,6 +5,8 @@
 #include <glad/gl.h>
 
 #include <algorithm>
+#include <array>
+#include <cstring>
 #include <string>
 
 namespace sandbox {
@@ -115,6 +117,16 @@ DisplayTexture::DisplayTexture(Size size) : size_(size) {
     color_ = make_target_texture(size, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, GL_NEAREST);
     attach(GL_COLOR_ATTACHMENT0, color_);
     require_complete(size);
+}
+
+DisplayTexture::DisplayTexture(const ByteImage &picture) : DisplayTexture(picture.size) {
+    std::vector<std::array<std::uint8_t, 3>> bottom_first(picture.rgb.size() / 3);
+    std::memcpy(bottom_first.data(), picture.rgb.data(), picture.rgb.size());
+    flip_rows(bottom_first, size_);
+    glBindTexture(GL_TEXTURE_2D, color_.id());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1); // rows of three bytes a pixel
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size_.width, size_.height, GL_RGB, GL_UNSIGNED_BYTE, bottom_first.data());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
 }
 
 } // namespace sandbox

@@ -35,10 +35,11 @@ class Target {
     Framebuffer framebuffer_;
 };
 
-/// An RGBA8 texture that a window shows: the display transform of a Target, or a comparison of two.
+/// An RGBA8 texture that a window shows: the display transform of a Target, a comparison of two, a finished picture.
 class DisplayTexture {
   public:
     explicit DisplayTexture(Size size);
+    explicit DisplayTexture(const ByteImage &picture);
     [[nodiscard]] Size size() const { return size_; }
     [[nodiscard]] unsigned texture() const { return color_.id(); }
     [[nodiscard]] unsigned framebuffer() const { return framebuffer_.id(); }

@@ -40,6 +40,8 @@ BottomPanel::BottomPanel(const DrawingSupplies &supplies) {
                      "How far every technique is from the truth, and how long it takes (E).",
                      error_time_tab(supplies)});
     tabs_.push_back({BottomTab::glsl, "GLSL", "The programs of A and B beside each other (G).", glsl_tab(supplies)});
+    tabs_.push_back({BottomTab::stability, "Stability",
+                     "Stiff and extreme scenes, in which a textbook's formulas break (S).", stability_tab(supplies)});
 }
 
 float BottomPanel::height(const Session &session, float room) {

@@ -54,6 +54,7 @@ constexpr Shortcut shortcuts[] = {
     {plain, GLFW_KEY_R, "R", "camera as opened", [](Session &s) { reset_camera(s.document); }},
     {plain, GLFW_KEY_E, "E", "error against run time", tab<BottomTab::error_time>},
     {plain, GLFW_KEY_G, "G", "the GLSL of A and B", tab<BottomTab::glsl>},
+    {plain, GLFW_KEY_S, "S", "stability: the extreme cases", tab<BottomTab::stability>},
     {control, GLFW_KEY_Z, "Ctrl+Z", "undo", undo, true},
     {control | shift, GLFW_KEY_Z, "Ctrl+Shift+Z", "redo", redo, true},
     {control, GLFW_KEY_Y, "", "", redo, true},

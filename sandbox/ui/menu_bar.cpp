@@ -74,6 +74,9 @@ void window_menu(Session &session) {
     if (ImGui::MenuItem("GLSL", "G", look.tab == BottomTab::glsl)) {
         toggle_tab(session, BottomTab::glsl);
     }
+    if (ImGui::MenuItem("Stability", "S", look.tab == BottomTab::stability)) {
+        toggle_tab(session, BottomTab::stability);
+    }
     ImGui::MenuItem("Full screen", "F11", &look.full_screen);
     ImGui::Separator();
     ImGui::TextColored(quiet_text(), "Ctrl + and Ctrl - scale everything");

@@ -22,7 +22,7 @@ struct ViewSettings {
     bool wireframe = false;
 };
 
-enum class BottomTab { error_time, glsl };
+enum class BottomTab { error_time, glsl, stability };
 
 struct Appearance {
     bool dark = true;

@@ -26,5 +26,6 @@ class TabContent {
 /// One a tab; bottom_panel.cpp lists them.
 std::unique_ptr<TabContent> error_time_tab(const DrawingSupplies &supplies);
 std::unique_ptr<TabContent> glsl_tab(const DrawingSupplies &supplies);
+std::unique_ptr<TabContent> stability_tab(const DrawingSupplies &supplies);
 
 } // namespace sandbox

@@ -47,7 +47,8 @@ void apply_colors(const Palette &p) {
     set({ImGuiCol_ButtonActive, ImGuiCol_SliderGrab, ImGuiCol_PlotHistogram}, p.accent);
     set({ImGuiCol_CheckMark, ImGuiCol_NavHighlight}, p.right);
     set({ImGuiCol_SliderGrabActive}, p.accent_hovered);
-    set({ImGuiCol_Header}, p.header);
+    set({ImGuiCol_Header, ImGuiCol_TableHeaderBg}, p.header);
+    set({ImGuiCol_TableRowBgAlt}, ImVec4(p.header.x, p.header.y, p.header.z, 0.5F));
     set({ImGuiCol_HeaderHovered, ImGuiCol_HeaderActive}, p.header_hovered);
     set({ImGuiCol_Border, ImGuiCol_Separator, ImGuiCol_TableBorderLight, ImGuiCol_TableBorderStrong}, p.border);
     set({ImGuiCol_ScrollbarBg}, p.window);

@@ -74,6 +74,11 @@ TEST_F(DisplayPasses, ADifferenceShowsWhatIsNotFinite) {
     EXPECT_EQ(read_rgb(texture), (std::vector<std::uint8_t>{255, 0, 255, 255, 0, 255, 255, 255, 255}));
 }
 
+TEST_F(DisplayPasses, AFinishedPictureIsShownAsItIs) {
+    const ByteImage picture{{3, 2}, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 253, 254, 255}};
+    EXPECT_EQ(read_rgb(DisplayTexture(picture)), picture.rgb);
+}
+
 TEST_F(DisplayPasses, AWholePictureMayBeNonFinite) {
     EXPECT_EQ(show(Image({31, 9}, glm::vec4(not_a_number)), 1), 31U * 9U);
     EXPECT_EQ(show(Image({31, 9}, glm::vec4(0)), 1), 0U);
