@@ -83,7 +83,7 @@ fs::path new_folder(const fs::path &folder, const std::string &name) {
         if (fs::create_directory(path, error)) {
             return path;
         }
-        if (error) {
+        if (error && !fs::exists(path)) {
             throw InputError("cannot make the folder " + path.string() + ": " + error.message());
         }
     }

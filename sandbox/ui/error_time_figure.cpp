@@ -75,15 +75,16 @@ void error_time_figure(Session &session, const WorkPrecision &measured, const Er
     ImGui::InvisibleButton("plot", size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
     const bool over = ImGui::IsItemHovered();
     PlotRequest plot = visible_plot(measured, view);
-    if (plot.series.empty()) {
-        ImGui::GetWindowDrawList()->AddText(corner, ImGui::GetColorU32(quiet_text()),
-                                            "Nothing of this model was measured, or all of it is hidden.");
-        return;
-    }
     plot.width = static_cast<double>(size.x);
     plot.height = static_cast<double>(size.y);
     set_margins(plot);
     const PlotLayout layout = lay_out(plot);
+    if (std::ranges::all_of(layout.series, [](const PlacedSeries &series) { return series.points.empty(); })) {
+        const char *why = plot.series.empty() ? "Nothing to plot: all of it is hidden, or nothing was timed."
+                                              : "No error at all: every picture is exactly the truth.";
+        ImGui::GetWindowDrawList()->AddText(corner, ImGui::GetColorU32(quiet_text()), why);
+        return;
+    }
     const ImVec2 mouse = ImGui::GetMousePos();
     const auto hovered = over ? nearest_point(layout, static_cast<double>(mouse.x - corner.x),
                                               static_cast<double>(mouse.y - corner.y), ImGui::GetFontSize() * 0.9)

@@ -25,6 +25,7 @@ class ErrorTimeTab final : public TabContent {
   private:
     void start(Session &session);
     void settle(Session &session);
+    void show_measured_model(const WorkPrecision &measured, Model wished);
     void write_files(Session &session) const;
     void controls(Session &session);
     void progress(Session &session);
@@ -66,9 +67,7 @@ void ErrorTimeTab::settle(Session &session) {
         session.message = {failure_, true};
     } else if (ReportRun run = job_->take_result(); complete_rows(run.measured) > 0) {
         const bool finished = run.measured.finished;
-        if (!run_) {
-            view_.model = session.document.right.model;
-        }
+        show_measured_model(run.measured, run_ ? view_.model : session.document.right.model);
         run_ = std::move(run);
         name_ = running_name_;
         session.message = {finished ? "Measured." : "Cancelled; what was measured is shown.", false};
@@ -76,6 +75,12 @@ void ErrorTimeTab::settle(Session &session) {
         session.message = {"Cancelled before any run time was taken.", false};
     }
     job_.reset();
+}
+
+/// Scenes without highlights have rows of one model alone.
+void ErrorTimeTab::show_measured_model(const WorkPrecision &measured, Model wished) {
+    const std::vector<Model> models = models_of(measured);
+    view_.model = std::ranges::find(models, wished) != models.end() ? wished : models.back();
 }
 
 void ErrorTimeTab::write_files(Session &session) const {
@@ -138,16 +143,19 @@ void ErrorTimeTab::facts() const {
 
 void ErrorTimeTab::findings(Session &session) {
     const WorkPrecision &m = run_->measured;
-    if (!job_) {
-        same_line_if_fits(ImGui::GetFontSize() * 14); // beside the controls
-    }
-    error_time_choices(session, m, view_);
-    error_time_legend(session, view_);
     const float em = ImGui::GetFontSize();
-    const ImVec2 room = ImGui::GetContentRegionAvail();
-    const bool beside = room.x > em * 46;
+    const bool beside = ImGui::GetContentRegionAvail().x > em * 46;
     const float table = em * 21;
-    error_time_figure(session, m, view_, {beside ? room.x - table : room.x, std::max(room.y, em * 10)});
+    if (!job_ && beside) {
+        ImGui::SameLine();
+    }
+    error_time_choices(session, m, view_, !beside);
+    if (!beside) {
+        same_line_if_fits(em * 5); // the first technique, then as many as fit
+    }
+    error_time_legend(session, view_);
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    error_time_figure(session, m, view_, {beside ? room.x - table : room.x, std::max(room.y, em * 7.5F)});
     if (beside) {
         ImGui::SameLine();
     }

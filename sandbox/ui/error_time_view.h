@@ -16,8 +16,8 @@ struct ErrorTimeView {
     std::array<bool, std::size(plotted_frequencies)> hidden{}; ///< by series
 };
 
-/// Buttons for the model and the norm.
-void error_time_choices(Session &session, const WorkPrecision &measured, ErrorTimeView &view);
+/// The model and the norm, on one line; `narrow`: lists that open instead of buttons.
+void error_time_choices(Session &session, const WorkPrecision &measured, ErrorTimeView &view, bool narrow);
 
 /// Every series; a click hides it.
 void error_time_legend(Session &session, ErrorTimeView &view);

@@ -54,8 +54,14 @@ void draw_bottom(Session &session, ViewPainter &painter, BottomPanel &panel, con
 } // namespace
 
 void status_line(Session &session, float height) {
+    StatusLine &status = session.status;
+    if (status.message != session.message.text) {
+        status = {session.message.text, session.hint};
+    } else if (status.over != session.hint) {
+        status.over.clear();
+    }
     ImGui::SetCursorPosY((height - ImGui::GetTextLineHeight()) / 2);
-    if (!session.hint.empty()) {
+    if (!session.hint.empty() && session.hint != status.over) {
         ImGui::TextColored(quiet_text(), "%s", session.hint.c_str());
     } else if (session.message.error) {
         ImGui::TextColored(error_text(), "%s", session.message.text.c_str());

@@ -40,6 +40,12 @@ struct Message {
     bool error = false;
 };
 
+/// What the status line remembers: its last message, and the hint that it came over. Until the mouse moves on to
+/// something else the message goes first.
+struct StatusLine {
+    std::string message, over;
+};
+
 /// What the panels ask of the window; answered once the frame is done.
 struct Requests {
     bool quit = false;
@@ -55,6 +61,7 @@ struct Session {
     Appearance appearance;
     Requests requests;
     Message message;
+    StatusLine status;
     std::string hint;                   ///< about what the mouse is over; empty: nothing
     bool view_dragged = false;          ///< the camera or the divider is being dragged
     std::size_t object = 0;             ///< the one that Material and Mesh show

@@ -113,6 +113,7 @@ xdotool key 2
 expect_other "wipe" "$opened"
 wipe=$(settled)
 drag 816 400 1000 400
+divider_at=1000
 expect_other "the divider" "$wipe"
 xdotool key 3
 flip=$(settled)
@@ -133,6 +134,24 @@ if cmp -s three-point-lights-001.png three-point-lights-002.png; then pass "capt
 if "$program" capture three-point-lights-001.png.json --out again.png && cmp -s again.png three-point-lights-001.png
 then pass "the sidecar gives the same picture"; else fail "the sidecar gives another picture"; fi
 
+xdotool key 2
+drag "$divider_at" 400 700 400
+wipe=$(settled)
+xdotool key F12
+for _ in $(seq 100); do [ -s three-point-lights-003.png.json ] && break; sleep 0.1; done
+xdotool key 1
+expect_same "side by side after a wipe" "$opened"
+
+xdotool key s
+expect_other "the tab of the extreme cases" "$opened"
+tab=$(settled)
+xdotool mousemove 420 483 click 1 # some case of the list
+expect_other "a click opens a case" "$tab"
+settled >/dev/null
+xdotool key ctrl+z
+xdotool key s
+expect_same "undo and folding bring the scene back" "$opened"
+
 window=$(xdotool search --name 'Shading Sandbox' | head -1)
 for size in "800 500" "480 320" "1280 720"; do
     # shellcheck disable=SC2086
@@ -145,6 +164,51 @@ quit "Ctrl+Q"
 start three-point-lights-001.png.json
 expect_same "a sidecar restores the view" "$opened"
 quit "Ctrl+Q of a sidecar"
+
+start three-point-lights-003.png.json
+expect_same "a wipe's sidecar restores its divider" "$wipe"
+quit "Ctrl+Q of a wipe"
+
+start view three-point-lights --left flat/lambert --right per-pixel/phong
+xdotool key F12
+for _ in $(seq 100); do [ -s three-point-lights-004.png.json ] && break; sleep 0.1; done
+if tr -d ' \n' <three-point-lights-004.png.json | grep -q '"techniques":\["flat/lambert","per-pixel/phong"\]'
+then pass "view --left --right"; else fail "view --left --right: $(head -20 three-point-lights-004.png.json)"; fi
+quit "Ctrl+Q of named techniques"
+
+# The tab "Error vs run time". Its buttons stand in one line, whose places hold for fonts a little wider or narrower.
+run_button="474 405"
+export_button="528 405" # the progress bar, while it runs
+start box-1-colour
+without_tab=$(settled)
+xdotool key e
+expect_other "a tab opens" "$without_tab"
+# shellcheck disable=SC2086
+xdotool mousemove $run_button click 1
+for _ in $(seq 60); do
+    sleep 0.5
+    # shellcheck disable=SC2086
+    xdotool mousemove $export_button click 1
+    [ -s box-1-colour-report-001/report.csv ] && break # the last of the three
+done
+without_times() { cut -d, -f1-8,12-15,21-44 "$1"; } # the renderer's name holds a comma
+"$program" report box-1-colour --quick --out by-command >/dev/null 2>&1
+if [ -s by-command/report.csv ] &&
+    [ "$(without_times by-command/report.csv)" = "$(without_times box-1-colour-report-001/report.csv)" ]
+then pass "the tab measures what the command measures"; else fail "the tab measures something else: $(ls; cat out.txt)"; fi
+if "$program" report --merge box-1-colour-report-001/report.json --out merged >/dev/null 2>&1
+then pass "its report.json can be read"; else fail "its report.json cannot be read"; fi
+xdotool key e
+expect_same "the panel folds" "$without_tab"
+quit "Ctrl+Q after a measurement"
+
+start
+xdotool key e
+settled >/dev/null
+# shellcheck disable=SC2086
+xdotool mousemove $run_button click 1
+sleep 1
+quit "Ctrl+Q while it measures"
 
 cp -r "$shaders" shaders
 start --shaders shaders
