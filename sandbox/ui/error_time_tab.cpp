@@ -1,6 +1,7 @@
 #include "ui/tab_content.h"
 
 #include "ui/error_time_view.h"
+#include "ui/job_progress.h"
 #include "ui/measured_rows.h"
 #include "ui/report_files.h"
 #include "ui/report_job.h"
@@ -8,7 +9,6 @@
 #include "ui/widgets.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <exception>
 
 namespace sandbox {
@@ -28,7 +28,6 @@ class ErrorTimeTab final : public TabContent {
     void show_measured_model(const WorkPrecision &measured, Model wished);
     void write_files(Session &session) const;
     void controls(Session &session);
-    void progress(Session &session);
     void findings(Session &session);
     void facts() const;
 
@@ -89,22 +88,6 @@ void ErrorTimeTab::write_files(Session &session) const {
     } catch (const std::exception &error) {
         session.message = {std::string("Not exported: ") + error.what(), true};
     }
-}
-
-void ErrorTimeTab::progress(Session &session) {
-    const bool cancelled = job_->job().cancelled();
-    ImGui::BeginDisabled(cancelled);
-    if (ImGui::Button("Cancel")) {
-        job_->job().cancel();
-    }
-    ImGui::EndDisabled();
-    hint_for_item(session, "Stops; what was measured until then stays.");
-    ImGui::SameLine();
-    const JobProgress progress = job_->job().progress();
-    char share[16];
-    std::snprintf(share, sizeof share, "%.0f %%   ", progress.share * 100);
-    const std::string text = cancelled ? "stopping" : share + progress.doing;
-    ImGui::ProgressBar(static_cast<float>(progress.share), {-1, 0}, text.c_str());
 }
 
 void ErrorTimeTab::controls(Session &session) {
@@ -168,7 +151,7 @@ void ErrorTimeTab::findings(Session &session) {
 
 void ErrorTimeTab::draw(Session &session, ViewPainter &, const Fonts &) {
     if (job_) {
-        progress(session);
+        job_progress_row(session, job_->job());
     } else {
         controls(session);
     }

@@ -6,8 +6,8 @@
 #include "ui/stability_details.h"
 #include "ui/stability_files.h"
 #include "ui/stability_job.h"
+#include "ui/stability_table.h"
 #include "ui/theme.h"
-#include "ui/verdict_color.h"
 #include "ui/widgets.h"
 
 #include <algorithm>
@@ -36,8 +36,6 @@ class StabilityTab final : public TabContent {
 
     void run_buttons(Session &session);
     void filter_controls(Session &session);
-    void table(Session &session, ViewPainter &painter, ImVec2 size);
-    bool row(Session &session, const ListedCase &one, bool wide);
 
     DrawingSupplies supplies_;
     std::vector<ListedCase> cases_;
@@ -135,8 +133,9 @@ void StabilityTab::export_files(Session &session) const {
     try {
         const StabilityRun run{results_of(cases_), supplies_.by.renderer, SANDBOX_VERSION};
         const std::string folder = write_stability(run).string();
-        const std::string part = run.results.size() < cases_.size() ? "The cases that were run: " : "";
-        session.message = {part + "exported to " + folder, false};
+        const std::string part =
+            run.results.size() < cases_.size() ? "The cases that were run, exported to " : "Exported to ";
+        session.message = {part + folder, false};
     } catch (const std::exception &error) {
         session.message = {std::string("Not exported: ") + error.what(), true};
     }
@@ -193,75 +192,6 @@ void StabilityTab::filter_controls(Session &session) {
     }
 }
 
-/// True when it is clicked.
-bool StabilityTab::row(Session &session, const ListedCase &one, bool wide) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    const bool chosen = chosen_ && &one == &cases_[*chosen_];
-    const bool clicked = ImGui::Selectable(short_name(one.of).c_str(), chosen, ImGuiSelectableFlags_SpanAllColumns);
-    hint_for_item(session, one.of.symptom);
-    if (wide) {
-        ImGui::TableNextColumn();
-        ImGui::TextUnformatted(one.of.symptom.c_str());
-    }
-    ImGui::TableNextColumn();
-    ImGui::TextColored(verdict_color(textbook_verdict(one)), "%s", textbook_text(one).c_str());
-    ImGui::TableNextColumn();
-    ImGui::TextColored(verdict_color(robust_verdict(one)), "%s", robust_text(one).c_str());
-    if (wide) {
-        ImGui::TableNextColumn();
-        ImGui::TextUnformatted(cost_text(one).c_str());
-    }
-    return clicked;
-}
-
-void group_row(const std::string &group) {
-    ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    ImGui::TextColored(quiet_text(), "%s", group.c_str());
-}
-
-void StabilityTab::table(Session &session, ViewPainter &painter, ImVec2 size) {
-    const float em = ImGui::GetFontSize();
-    const bool wide = size.x > em * 52;
-    constexpr ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV |
-                                      ImGuiTableFlags_SizingFixedFit;
-    if (!ImGui::BeginTable("cases", wide ? 5 : 3, flags, size)) {
-        return;
-    }
-    ImGui::TableSetupScrollFreeze(0, 1);
-    if (wide) {
-        ImGui::TableSetupColumn("case", ImGuiTableColumnFlags_WidthFixed, em * 13);
-        ImGui::TableSetupColumn("symptom", ImGuiTableColumnFlags_WidthStretch);
-    } else {
-        ImGui::TableSetupColumn("case", ImGuiTableColumnFlags_WidthStretch);
-    }
-    ImGui::TableSetupColumn("textbook", ImGuiTableColumnFlags_WidthFixed, em * 9.8F);
-    ImGui::TableSetupColumn("robust", ImGuiTableColumnFlags_WidthFixed, em * 7);
-    if (wide) {
-        ImGui::TableSetupColumn("cost", ImGuiTableColumnFlags_WidthFixed, em * 3);
-    }
-    ImGui::TableHeadersRow();
-    std::string group;
-    std::optional<std::size_t> clicked;
-    for (std::size_t i = 0; i < cases_.size(); ++i) {
-        if (!is_shown(cases_[i], filter_)) {
-            continue;
-        }
-        if (cases_[i].of.group != group) {
-            group = cases_[i].of.group;
-            group_row(group);
-        }
-        if (row(session, cases_[i], wide)) {
-            clicked = i;
-        }
-    }
-    ImGui::EndTable();
-    if (clicked) {
-        open(session, painter, *clicked);
-    }
-}
-
 void StabilityTab::draw(Session &session, ViewPainter &painter, const Fonts &) {
     if (job_) {
         job_progress_row(session, job_->job());
@@ -277,9 +207,12 @@ void StabilityTab::draw(Session &session, ViewPainter &painter, const Fonts &) {
     const float em = ImGui::GetFontSize();
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const bool beside = room.x > em * 46;
-    const float details = beside ? std::max(em * 27.5F, room.x * 0.4F) : room.x;
+    const float details = beside ? std::clamp(room.x * 0.4F, em * 27.5F, em * 34) : room.x;
     const float gap = ImGui::GetStyle().ItemSpacing.x;
-    table(session, painter, beside ? ImVec2{room.x - details - gap, room.y} : ImVec2{room.x, room.y * 0.5F});
+    const ImVec2 table = beside ? ImVec2{room.x - details - gap, room.y} : ImVec2{room.x, room.y * 0.5F};
+    if (const auto clicked = case_table(session, cases_, filter_, chosen_, table)) {
+        open(session, painter, *clicked);
+    }
     if (beside) {
         ImGui::SameLine();
     }

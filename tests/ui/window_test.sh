@@ -36,6 +36,7 @@ export DISPLAY=":$(cat "$folder/display")"
 
 # The pixels of the two pictures, without names, times and panels.
 pictures() { import -window root -crop 900x570+360+60 +repage rgb:- | md5sum; }
+upper_half() { import -window root -crop 900x270+360+60 +repage rgb:- | md5sum; } # above an open tab
 lower_half() { import -window root -crop 900x270+360+360 +repage rgb:- | md5sum; }
 # Waits until the pictures are the same as, or other than, HASH; at most 20 s.
 await() { # same|other HASH
@@ -144,10 +145,11 @@ expect_same "side by side after a wipe" "$opened"
 
 xdotool key s
 expect_other "the tab of the extreme cases" "$opened"
-tab=$(settled)
-xdotool mousemove 420 483 click 1 # some case of the list
-expect_other "a click opens a case" "$tab"
 settled >/dev/null
+above=$(upper_half)
+xdotool mousemove 420 483 click 1 # some case of the list
+settled >/dev/null
+if [ "$(upper_half)" != "$above" ]; then pass "a click opens a case"; else fail "a click opens no case"; fi
 xdotool key ctrl+z
 xdotool key s
 expect_same "undo and folding bring the scene back" "$opened"
