@@ -26,12 +26,14 @@ uniform int normal_transform; // 0 identity, 1 rigid, 2 normal matrix, 3 model m
 uniform bool viewer_infinite;
 #endif
 
+#include "math_unit.glsl"
+
 vec3 surface_normal()
 {
     if (normal_transform < 2 || normal_transform == 4) {
         return normal_transform == 1 ? mat3(model) * a_normal : a_normal;
     }
-    return normalize(normal_transform == 2 ? normal_matrix * a_normal : mat3(model) * a_normal);
+    return guarded_unit(normal_transform == 2 ? normal_matrix * a_normal : mat3(model) * a_normal, a_normal);
 }
 
 void main()

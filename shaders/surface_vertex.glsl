@@ -21,12 +21,20 @@ vec3 surface_position()
 
 #endif
 #if vertex.N
+#if guard_vertex_normal
+#include "math_unit.glsl"
+
+#endif
 vec3 surface_normal()
 {
-#if normal_matrix
+#if normal_matrix && guard_vertex_normal
+    return guarded_unit(normal_matrix * a_normal, a_normal); // a flattened object may leave nothing
+#elif normal_matrix
     return normalize(normal_matrix * a_normal);
 #elif rigid
     return mat3(model) * a_normal;
+#elif model_matrix_normals && guard_vertex_normal
+    return guarded_unit(mat3(model) * a_normal, a_normal); // Fault: wrong under non-uniform scale.
 #elif model_matrix_normals
     return normalize(mat3(model) * a_normal); // Fault: wrong under non-uniform scale.
 #elif untransformed_normals

@@ -146,6 +146,15 @@ std::vector<StabilityCase> transform_cases() {
              "det = 0: there is no inverse; the cofactor matrix still has the plane's normal.",
              "planar shadows by a scale of 0")
         .techniques = all_frequencies();
+    Scene tall = ball({1, 3000, 1e-5});
+    tall.objects[0].mesh = TorusShape{1, 0.4, 24, 12};
+    tall.lights = {directional_light({0.3, 0.2, 1})};
+    tall.lights[0].ambient = 0.2;
+    cases.add(
+        tall, "thin-and-tall", "The unlit side shines through the lit one.",
+        "Front and back lie closer than the depth buffer resolves; the eye is within the object's bounding sphere, "
+        "so that back faces were drawn. The box that turns with the object tells better.",
+        "fences and screens beside the viewer");
     Scene turned = ball({1, 0.01, 3});
     turned.objects[0].transform.rotate_degrees = {40, 50, 60};
     cases.add(turned, "rotated-uneven", "Normals lean the wrong way.",
@@ -206,6 +215,11 @@ std::vector<StabilityCase> placement_cases() {
     cases.add(own, "mesh-far-from-its-origin", "Torn facets and wrong highlights.",
               "The mesh's own coordinates are 1e6: rounded to float32 before any transform can help.",
               "models exported in map coordinates");
+    Scene chequered = own;
+    chequered.objects[0].material.checker = Checker{};
+    cases.add(chequered, "checker-far-from-its-origin", "Torn facets and wrong highlights.",
+              "Cells are counted from the mesh's origin, 1e6 away: whole cells and the rest must be kept apart.",
+              "models exported in map coordinates");
     Scene deep = scene_of(PlaneShape{{2e6, 2e6}, 1}, {directional_light({0.3, -1, -0.2}), point_light({0, 2, -5})});
     deep.lights[0].diffuse = 0.5;
     deep.camera.position = {0, 1, 0};
@@ -223,6 +237,15 @@ std::vector<StabilityCase> placement_cases() {
     floor.camera.far_plane = 1e7;
     cases.add(floor, "one-huge-triangle", "Bands and swimming highlights on a floor of two triangles.",
               "Positions interpolated over 2e6 units carry 0.1 near the eye.", "a ground plane to the horizon");
+    Scene beyond = scene_of(PlaneShape{{2e6, 2e6}, 1}, {point_light({2, 3, 4})});
+    beyond.objects[0].transform = {{0, -1, 0}, {0, 30, 0}, glm::dvec3(1)};
+    beyond.objects.push_back({"ball", SphereShape{}, {}, {}, false});
+    beyond.camera.position = {0, 1, 6};
+    beyond.camera.near_plane = 0.01;
+    beyond.camera.far_plane = 1000;
+    cases.add(beyond, "ground-beyond-far", "The ground hides what stands on it.",
+              "A vertex at 1e6 has w - z = 2 near = 0.02, where float32 steps by 0.06: its triangle's depth is noise.",
+              "a ground plane far larger than the clipped view");
     return cases.all();
 }
 

@@ -1,6 +1,7 @@
 #include "measure/work_precision_plan.h"
 
 #include "shading/features.h"
+#include "shading/length_scale.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,8 +72,9 @@ void rescale(ObjShape &, const Rescale &) {}
 std::vector<Features> features_of(const Scene &scene, const Technique &technique,
                                   const std::vector<ObjectResources> &resources) {
     std::vector<Features> all;
+    const bool deep = is_deep(scene, resources);
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-        all.push_back(derive_features(scene, technique, scene.objects[i], *resources[i].mesh));
+        all.push_back(derive_features(scene, technique, scene.objects[i], *resources[i].mesh, false, deep));
     }
     return all;
 }

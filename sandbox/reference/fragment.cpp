@@ -179,8 +179,16 @@ bool Fragment::checker_unstable() const {
     return false;
 }
 
+/// Where the corners' normals all but cancel, float32's rounding of what is left (1e-7) turns it by more than 1e-4.
+bool Fragment::normal_unstable() const {
+    const bool interpolated = setup_.technique.frequency != Frequency::flat &&
+                              setup_.technique.frequency != Frequency::per_vertex &&
+                              setup_.technique.renormalize == Renormalize::on;
+    return interpolated && glm::length(blend(here_.weights, object_.normals, triangle_)) < 1e-3;
+}
+
 bool Fragment::unstable() const {
-    if (checker_unstable()) {
+    if (checker_unstable() || normal_unstable()) {
         return true;
     }
     const auto jumps = [&](Terms terms) {

@@ -31,6 +31,7 @@ class Fragment : public Sampler {
     [[nodiscard]] Place corner(std::size_t i) const;
     [[nodiscard]] Reflected reflected() const;
     [[nodiscard]] bool checker_unstable() const;
+    [[nodiscard]] bool normal_unstable() const;
     [[nodiscard]] glm::dvec3 object_position(const glm::dvec3 &weights) const;
     [[nodiscard]] LightVectors interpolated_vectors(const Place &place, std::size_t light) const;
 

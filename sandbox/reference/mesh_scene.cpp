@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/trigonometric.hpp>
 #include <glm/vec4.hpp>
 
 namespace sandbox::reference {
@@ -24,10 +25,24 @@ void for_pieces(std::size_t count, const std::function<void(std::size_t)> &work)
     });
 }
 
-RasterObject corners_of(const MeshObject &object, const glm::dmat4 &projection, Size size) {
+/// RasterObject::hidden. The inside of a closed mesh is seen where it is flattened, and from within the box around it,
+/// which the near plane's corners must not reach into.
+int hidden_side(const Camera &camera, const Transform &transform, const Mesh &mesh, Size size) {
+    const glm::dvec3 &scale = transform.scale;
+    const bool mirrored = ((scale.x < 0) != (scale.y < 0)) != (scale.z < 0);
+    const double tangent = std::tan(glm::radians(camera.fov_y_degrees / 2));
+    const double corner = std::hypot(1, tangent, tangent * size.width / size.height) * camera.near_plane;
+    if (!mesh.closed || scale.x == 0 || scale.y == 0 || scale.z == 0 ||
+        distance_to_bounds(transform, mesh.bounds, camera.position) <= corner) {
+        return 0;
+    }
+    return mirrored ? -1 : 1;
+}
+
+RasterObject corners_of(const MeshObject &object, const glm::dmat4 &projection, Size size, int hidden) {
     RasterObject raster;
     raster.triangles = &object.mesh->triangles;
-    raster.closed = object.mesh->closed;
+    raster.hidden = hidden;
     raster.corners.resize(object.mesh->positions.size());
     for_pieces(raster.corners.size(), [&](std::size_t i) {
         const glm::dvec4 clip = projection * glm::dvec4(object.placement.seen(object.mesh->positions[i]), 1);
@@ -110,7 +125,8 @@ MeshScene prepare_meshes(const Scene &scene, const std::vector<ObjectResources> 
     const glm::dmat4 projection = view_projection(scene.camera, size.width / static_cast<double>(size.height));
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         meshes.objects.push_back(prepare_object(meshes.setup, scene.objects[i], resources[i]));
-        meshes.raster.push_back(corners_of(meshes.objects.back(), projection, size));
+        const int hidden = hidden_side(scene.camera, scene.objects[i].transform, *resources[i].mesh, size);
+        meshes.raster.push_back(corners_of(meshes.objects.back(), projection, size, hidden));
     }
     return meshes;
 }

@@ -53,15 +53,9 @@ struct Edges {
     }
 };
 
-/// Front and back of one closed object do not compete, except where it is flattened and they coincide.
-bool compete(const Hit &one, const Hit &other, bool closed) {
-    const double gap = std::abs(one.inverse_w - other.inverse_w);
-    return one.object != other.object || one.turned == other.turned || !closed || gap <= 1e-12 * one.inverse_w;
-}
-
-void keep_nearer(Hit &kept, Hit drawn, bool closed, double resolution) {
+void keep_nearer(Hit &kept, Hit drawn, double resolution) {
     const double lead = drawn.inverse_w - kept.inverse_w;
-    const bool tie = kept.object != 0 && std::abs(lead) < resolution && compete(drawn, kept, closed);
+    const bool tie = kept.object != 0 && std::abs(lead) < resolution;
     if (lead > 0) {
         drawn.beside = kept.beside;
         drawn.tie = tie;
@@ -165,7 +159,8 @@ void Rasteriser::draw_triangle(const Entry &entry, int first_row, int end_row, s
     const glm::uvec3 &triangle = (*object.triangles)[entry.triangle];
     const Edges edges(object.corners[triangle.x], object.corners[triangle.y], object.corners[triangle.z]);
     Box box{};
-    if (edges.sign == 0 || !bounds(edges.corners[0], edges.corners[1], edges.corners[2], box)) {
+    if (edges.sign == 0 || edges.sign == object.hidden ||
+        !bounds(edges.corners[0], edges.corners[1], edges.corners[2], box)) {
         return;
     }
     const double resolution = depth_resolution / near_;
@@ -193,8 +188,8 @@ void Rasteriser::draw_triangle(const Entry &entry, int first_row, int end_row, s
                 const double beside = std::clamp(inverse_w, edges.lowest, edges.highest);
                 hit.beside = std::max(hit.beside, beside <= 1 / near_ ? beside : 0);
             } else if (inverse_w * near_ <= 1 && inverse_w * far_ >= 1) {
-                const Hit drawn{entry.object + 1, entry.triangle, inverse_w, 0, false, edges.sign < 0};
-                keep_nearer(hit, drawn, object.closed, resolution);
+                const Hit drawn{entry.object + 1, entry.triangle, inverse_w, 0, false};
+                keep_nearer(hit, drawn, resolution);
             }
         }
     }

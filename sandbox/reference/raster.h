@@ -25,7 +25,9 @@ using Corner = glm::dvec3;
 struct RasterObject {
     std::vector<Corner> corners; ///< one a vertex
     const std::vector<glm::uvec3> *triangles = nullptr;
-    bool closed = false; ///< its back faces cannot be seen, whatever the depth buffer resolves
+    /// Which triangles cannot be seen, being the inside of what is closed, whatever the depth buffer resolves: those
+    /// whose corners run clockwise on the screen (1), counter-clockwise (-1), none (0).
+    int hidden = 0;
 };
 
 /// What the centre of one pixel sees.
@@ -35,7 +37,6 @@ struct Hit {
     double inverse_w = 0; ///< 1 / distance along the camera's axis; 0 for the background
     double beside = 0;    ///< the largest inverse_w of a triangle that misses the centre by less than edge_width
     bool tie = false;     ///< another triangle lies within float32 depth resolution: OpenGL may pick that one
-    bool turned = false;  ///< its corners run clockwise on the screen
 };
 
 /// Perspective-correct weights of a triangle's corners at the point (x, y) in pixels; they sum to 1.

@@ -12,7 +12,9 @@ void put_no_checker(Uploader &uploader) {
     uploader.put("checker_colors[0]", glm::vec3(1));
     uploader.put("checker_colors[1]", glm::vec3(1));
     uploader.put("checker_cells_per_unit", 1.0F);
-    uploader.put("checker_half_cells", 0.0F);
+    uploader.put("checker_whole", glm::vec3(0));
+    uploader.put("checker_rest", glm::vec3(0));
+    uploader.put("checker_last", 1.0F);
 }
 
 /// All lights that reach the object, in scene order of their kinds; the arrays' other elements are set to none.

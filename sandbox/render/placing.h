@@ -19,9 +19,8 @@ struct Placing {
 
 Placing place_object(const Scene &scene, const Object &object, const Mesh &mesh);
 
-/// The middle of a mesh that lies far from its own origin, else 0. A checker is counted from the origin, so that an
-/// object with one keeps it.
-glm::dvec3 buffer_origin(const Object &object, const Mesh &mesh);
+/// The middle of a mesh that lies far from its own origin, else 0.
+glm::dvec3 buffer_origin(const Mesh &mesh);
 
 /// clip = result * (position - origin); scaled like `placing`, which cancels on division by w.
 glm::dmat4 model_view_projection(const Scene &scene, const Placing &placing, double aspect);

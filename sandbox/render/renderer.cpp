@@ -83,10 +83,8 @@ struct Renderer::Impl {
     Impl(Assets assets, ShaderParts shader_parts)
         : resources(std::move(assets)), parts(std::move(shader_parts)), programs(parts) {}
 
-    MeshBuffers &buffers(const Object &object, const std::shared_ptr<const Mesh> &mesh) {
-        const glm::dvec3 origin = buffer_origin(object, *mesh);
-        auto &kept = origin == glm::dvec3(0) ? meshes : centred_meshes;
-        return kept.try_emplace(mesh, mesh, origin).first->second;
+    MeshBuffers &buffers(const std::shared_ptr<const Mesh> &mesh) {
+        return meshes.try_emplace(mesh, mesh, buffer_origin(*mesh)).first->second;
     }
     unsigned texture(const std::shared_ptr<const Image> &image) {
         auto found = textures.find(image);
@@ -98,13 +96,12 @@ struct Renderer::Impl {
     /// Frees what only this cache still holds.
     void forget_unused() {
         std::erase_if(meshes, [](const auto &entry) { return entry.first.use_count() <= 2; });
-        std::erase_if(centred_meshes, [](const auto &entry) { return entry.first.use_count() <= 2; });
         std::erase_if(textures, [](const auto &entry) { return entry.first.use_count() <= 1; });
     }
 
-    void draw_object(const DrawInput &input, const ObjectResources &own, const Target &target) {
+    void draw_object(const DrawInput &input, const ObjectResources &own, const Target &target, bool deep) {
         const Features features =
-            derive_features(input.scene, input.technique, input.object, *own.mesh, target.has_object_ids());
+            derive_features(input.scene, input.technique, input.object, *own.mesh, target.has_object_ids(), deep);
         require_drawable(features, input.scene, input.technique, input.object);
         const GlProgram &program = programs.get(features);
         glUseProgram(program.id());
@@ -114,13 +111,13 @@ struct Renderer::Impl {
             glBindTexture(GL_TEXTURE_2D, texture(own.texture));
         }
         set_culling(input.scene.camera, input.object, *own.mesh, input.aspect());
-        buffers(input.object, own.mesh).draw(vertex_layout(features));
+        buffers(own.mesh).draw(vertex_layout(features));
     }
 
     Resources resources;
     ShaderParts parts;
     ProgramCache programs;
-    std::map<std::shared_ptr<const Mesh>, MeshBuffers> meshes, centred_meshes;
+    std::map<std::shared_ptr<const Mesh>, MeshBuffers> meshes;
     std::map<std::shared_ptr<const Image>, Texture> textures;
     std::unique_ptr<Target> own_target;
 };
@@ -131,11 +128,12 @@ Renderer::~Renderer() = default;
 
 void Renderer::draw(const Scene &scene, const Technique &technique, Target &target) {
     const auto resources = impl_->resources.load(scene);
+    const bool deep = is_deep(scene, resources);
     clear(scene, target);
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const DrawInput input{
             scene, technique, scene.objects[i], *resources[i].mesh, target.size(), static_cast<unsigned>(i + 1)};
-        impl_->draw_object(input, resources[i], target);
+        impl_->draw_object(input, resources[i], target, deep);
     }
     glDisable(GL_CULL_FACE);
     glFrontFace(GL_CCW);
@@ -159,7 +157,7 @@ Frame Renderer::render(const Scene &scene, const Technique &technique, Size size
 
 void Renderer::draw_wireframe(const Scene &scene, Target &target, glm::vec3 color) {
     const auto resources = impl_->resources.load(scene);
-    const bool deep = is_deep(scene.camera);
+    const bool deep = is_deep(scene, resources);
     const GlProgram &program = impl_->programs.wireframe(deep);
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
     glViewport(0, 0, target.size().width, target.size().height);
@@ -178,7 +176,7 @@ void Renderer::draw_wireframe(const Scene &scene, Target &target, glm::vec3 colo
         if (deep) {
             put_lifted_depth(program, scene.camera, placing.scale, target.size().height);
         }
-        impl_->buffers(object, resources[i].mesh).draw({});
+        impl_->buffers(resources[i].mesh).draw({});
     }
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glDisable(GL_POLYGON_OFFSET_LINE);

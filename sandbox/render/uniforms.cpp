@@ -8,6 +8,7 @@
 #include "scene/space.h"
 #include "shading/normal_matrix.h"
 
+#include <glm/common.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <cmath>
@@ -47,11 +48,16 @@ void put_lights(Uploader &uploader, const DrawInput &input, const std::string &k
     }
 }
 
-void put_checker(Uploader &uploader, const Checker &checker, const Mesh &mesh) {
+void put_checker(Uploader &uploader, const Checker &checker, const Mesh &mesh, const glm::dvec3 &origin) {
+    const double cells_per_unit = checker.cells / (2 * half_extent(mesh));
     uploader.put("checker_colors[0]", glm::vec3(checker.colors[0]));
     uploader.put("checker_colors[1]", glm::vec3(checker.colors[1]));
-    uploader.put("checker_cells_per_unit", static_cast<float>(checker.cells / (2 * half_extent(mesh))));
-    uploader.put("checker_half_cells", static_cast<float>(checker.cells / 2.0));
+    uploader.put("checker_cells_per_unit", static_cast<float>(cells_per_unit));
+    const glm::dvec3 below = origin * cells_per_unit + checker.cells / 2.0;
+    const glm::dvec3 whole = glm::round(below);
+    uploader.put("checker_whole", glm::vec3(whole));
+    uploader.put("checker_rest", glm::vec3(below - whole));
+    uploader.put("checker_last", static_cast<float>(checker.cells - 1));
 }
 
 void put_depth(Uploader &uploader, const LogDepth &depth) {
@@ -89,7 +95,7 @@ void upload_uniforms(const GlProgram &program, const DrawInput &input) {
     uploader.put("object_id", input.object_id);
     uploader.put("base_texture", 0);
     if (material.checker) {
-        put_checker(uploader, *material.checker, input.mesh);
+        put_checker(uploader, *material.checker, input.mesh, placing.origin);
     }
     if (input.technique.program == Program::full) {
         put_full_uniforms(uploader, input, placing.scale);

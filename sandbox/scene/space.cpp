@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <numbers>
 #include <utility>
 
@@ -35,6 +37,15 @@ glm::dvec3 unit(glm::dvec3 v) {
 }
 
 } // namespace
+
+double distance_to_bounds(const Transform &transform, const Bounds &bounds, const glm::dvec3 &point) {
+    const glm::dmat3 turn = linear_part({{}, transform.rotate_degrees, glm::dvec3(1)});
+    const glm::dvec3 local = glm::transpose(turn) * (point - transform.translate);
+    const glm::dvec3 one = transform.scale * bounds.low;
+    const glm::dvec3 other = transform.scale * bounds.high;
+    const glm::dvec3 beyond = glm::max(glm::min(one, other) - local, local - glm::max(one, other));
+    return glm::length(glm::max(beyond, glm::dvec3(0)));
+}
 
 glm::dmat3 linear_part(const Transform &transform) {
     const auto [sx, cx] = sine_cosine(transform.rotate_degrees.x);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "scene/mesh.h"
 #include "scene/scene.h"
 
 #include <glm/mat3x3.hpp>
@@ -10,6 +11,9 @@ namespace sandbox {
 
 /// Rz Ry Rx S: the linear part of an object's transform (angles in degrees about the fixed axes, x first).
 glm::dmat3 linear_part(const Transform &transform);
+
+/// How far `point` (world space) is from the box around the transformed mesh that turns with it; 0 inside.
+double distance_to_bounds(const Transform &transform, const Bounds &bounds, const glm::dvec3 &point);
 
 /// Unit vectors of a camera in world space; `right`, `up` and `forward` are orthonormal.
 struct CameraAxes {

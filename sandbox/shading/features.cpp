@@ -4,6 +4,7 @@
 #include "scene/space.h"
 #include "shading/length_scale.h"
 #include "shading/needs.h"
+#include "shading/normal_matrix.h"
 
 #include <algorithm>
 #include <cmath>
@@ -130,6 +131,17 @@ bool lit_ambient(const Features &f) {
     return any_of(f.directional) || any_of(f.point) || any_of(f.spot);
 }
 
+/// How short or long may a unit normal become, by the columns of its matrix (which are orthogonal before they are
+/// turned)? Singular matrices leave nothing of some.
+bool may_lose_normals(NormalTransform transform, const glm::dmat3 &linear) {
+    if (transform != NormalTransform::normal_matrix && transform != NormalTransform::model_matrix) {
+        return false;
+    }
+    const glm::dmat3 m = transform == NormalTransform::normal_matrix ? normal_matrix(linear) : linear;
+    const auto [least, most] = std::minmax({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])});
+    return least < 1e-7 || most > 1e16;
+}
+
 void derive_surface(Features &f, const Scene &scene, const Technique &technique, const Object &object,
                     const Mesh &mesh) {
     const Material &material = object.material;
@@ -145,7 +157,9 @@ void derive_surface(Features &f, const Scene &scene, const Technique &technique,
     f.where_lit = technique.ambient == AmbientWhere::where_lit && lit_ambient(f);
     f.normals = f.diffuse() || f.specular() || f.where_lit;
     if (f.normals) {
-        f.normal_transform = scaled(normal_transform(technique, object), length_scale(scene, object, mesh));
+        const double scale = length_scale(scene, object, mesh);
+        f.normal_transform = scaled(normal_transform(technique, object), scale);
+        f.guard_vertex_normal = may_lose_normals(f.normal_transform, linear_part(object.transform) * scale);
         f.two_sided = object.two_sided;
     }
     if (f.specular()) {
@@ -156,7 +170,8 @@ void derive_surface(Features &f, const Scene &scene, const Technique &technique,
                                      f.frequency == Frequency::interpolated_vectors ||
                                      (f.frequency == Frequency::hybrid && f.specular());
     f.renormalize = f.normals && interpolates_normal && technique.renormalize == Renormalize::on;
-    f.guard_normal = f.renormalize && mesh.opposing_normals;
+    // A flattened object's normals are all but opposite on the two sides of its rim.
+    f.guard_normal = f.renormalize && (mesh.opposing_normals || f.guard_vertex_normal);
 }
 
 void derive_half_vectors(Features &f, const Technique &technique) {
@@ -270,10 +285,10 @@ ContributingLights contributing_lights(const Scene &scene, const Technique &tech
 }
 
 Features derive_features(const Scene &scene, const Technique &technique, const Object &object, const Mesh &mesh,
-                         bool object_ids) {
+                         bool object_ids, bool deep) {
     Features f;
     f.object_ids = object_ids;
-    f.deep = is_deep(scene.camera);
+    f.deep = deep || is_deep(scene.camera);
     const bool lights_pixels = technique.frequency == Frequency::per_pixel || technique.frequency == Frequency::hybrid;
     f.wide = lights_pixels && technique.position == LightingPosition::world && is_wide(scene, object, mesh);
     f.frequency = technique.frequency;

@@ -53,7 +53,8 @@ struct Features {
     bool normals = false; ///< anything depends on N
     NormalTransform normal_transform = NormalTransform::identity;
     bool renormalize = false;
-    bool guard_normal = false; ///< interpolated normals may cancel to 0
+    bool guard_normal = false;        ///< interpolated normals may cancel to 0
+    bool guard_vertex_normal = false; ///< the transform may leave nothing of a normal, or nothing float32 can square
     Exponent exponent = Exponent::zero;
     Gate gate = Gate::light_facing;
     Viewer viewer = Viewer::local;
@@ -83,9 +84,10 @@ bool ambient_with_light(const Light &light, const Technique &technique);
 
 ContributingLights contributing_lights(const Scene &scene, const Technique &technique, const Object &object);
 
-/// The one pure function that decides what a program holds. `mesh` is the object's; its normals decide guards.
+/// The one pure function that decides what a program holds. `mesh` is the object's; its normals decide guards. `deep`:
+/// what is_deep(scene, all resources) says; the camera alone may make it so too.
 Features derive_features(const Scene &scene, const Technique &technique, const Object &object, const Mesh &mesh,
-                         bool object_ids = false);
+                         bool object_ids = false, bool deep = false);
 
 NormalTransform normal_transform(const Technique &technique, const Object &object);
 /// Where lengths are scaled (length_scale.h) the model matrix is no longer rigid.

@@ -272,6 +272,7 @@ TemplateValues specialised_values(const Features &f, Stage which) {
              {"untransformed_normals", f.normal_transform == NormalTransform::untransformed},
              {"renormalize", f.renormalize},
              {"guard_normal", f.guard_normal},
+             {"guard_vertex_normal", f.guard_vertex_normal},
              {"w0", f.position == LightingPosition::w0},
              {"viewer_infinite", f.viewer == Viewer::infinite},
              {"two_sided", f.two_sided},

@@ -137,7 +137,10 @@ TEST_F(FormulaProbes, CheckerColor) {
         program.set("checker_colors[0]", glm::vec3(checker.colors[0]));
         program.set("checker_colors[1]", glm::vec3(checker.colors[1]));
         program.set("checker_cells_per_unit", static_cast<float>(checker.cells / (2 * half)));
-        program.set("checker_half_cells", static_cast<float>(checker.cells / 2.0));
+        const double below = checker.cells / 2.0;
+        program.set("checker_whole", glm::vec3(static_cast<float>(std::round(below))));
+        program.set("checker_rest", glm::vec3(static_cast<float>(below - std::round(below))));
+        program.set("checker_last", static_cast<float>(checker.cells - 1));
     });
     ProbeTable table("checker_color", 1e-7); // a colour is one of two, rounded to float32
     for (std::size_t i = 0; i < inputs.size(); ++i) {

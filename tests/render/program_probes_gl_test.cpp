@@ -33,6 +33,8 @@ std::vector<TransformCase> transforms() {
             {"squashed", {{0, 1, 0}, turn, {1, 0.5, 2}}},
             {"mirrored", {{0, 0, 0}, turn, {-1, 1, 0.5}}},
             {"scale 1e-6", {{0, 0, 0}, turn, {1, 1e-6, 1}}},
+            {"scale 0", {{0, 0, 0}, turn, {1, 0, 1}}},
+            {"scale 1e-25", {{0, 0, 0}, turn, {1, 1e-25, 2}}},
             {"scale 1e13", {{0, 0, 0}, turn, {1e13, 2e13, 1e13}}},
             {"scale 1e-13", {{0, 0, 0}, turn, {1e-13, 2e-13, 1e-13}}}};
 }
@@ -73,7 +75,7 @@ void probe_normal(const TransformCase &c, const std::string &technique_text) {
     const Features features = derive_features(scene, technique, object, build_mesh(object.mesh));
     const bool full = technique.program == Program::full;
     const std::string part = full ? lines_between(full_part_text("full_vertex.glsl", features, Stage::vertex),
-                                                  "vec3 surface_normal", "void main")
+                                                  "vec3 guarded_unit", "void main")
                                   : part_text("surface_vertex.glsl", features, Stage::vertex);
     const std::string declarations =
         full ? "uniform mat4 model; uniform mat3 normal_matrix; uniform int normal_transform;" : "";

@@ -1,0 +1,6 @@
+// v made unit, whatever its length; `otherwise` where nothing is left of it.
+vec3 guarded_unit(vec3 v, vec3 otherwise)
+{
+    float largest = max(max(abs(v.x), abs(v.y)), abs(v.z));
+    return largest > 0.0 ? normalize(v / largest) : otherwise;
+}
