@@ -4,17 +4,19 @@
 #include "shading/technique.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace sandbox {
 
-/// A valid scene of extreme numbers and the technique to draw it with. `family` (any number; 60 differ) fixes what the
-/// program holds: frequency, model, kinds of lights and their terms; `seed` draws the numbers. The same two give the
-/// same scene everywhere.
+/// A valid scene of extreme numbers and the techniques to draw it with. `family` (any number; stress_families differ)
+/// fixes what the programs hold: techniques, kinds of lights and their terms, the material's; `seed` draws the numbers,
+/// from all that a scene file may say. The same two give the same scene everywhere.
 struct StressScene {
     Scene scene;
-    Technique technique;
+    std::vector<Technique> techniques; ///< stress_techniques of them
 };
-constexpr std::uint32_t stress_families = 60;
+constexpr std::uint32_t stress_families = 20;
+constexpr std::uint32_t stress_techniques = 3; ///< so that there are 60 sets of features, and some guards
 StressScene stress_scene(std::uint32_t family, std::uint32_t seed);
 
 } // namespace sandbox

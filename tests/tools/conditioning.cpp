@@ -1,0 +1,73 @@
+#include "tools/conditioning.h"
+
+#include "scene/space.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+namespace sandbox {
+namespace {
+
+constexpr double rounding = 0x1p-22;
+constexpr double darkest = 1e-30; ///< below it float32 ends
+
+double largest(const glm::dvec3 &v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+double reach(const glm::dvec3 &eye, const Object &object, const Mesh &mesh) {
+    const glm::dvec3 middle = linear_part(object.transform) * (0.5 * (mesh.bounds.low + mesh.bounds.high));
+    const glm::dvec3 half = 0.5 * (mesh.bounds.high - mesh.bounds.low) * object.transform.scale;
+    return glm::length(middle + (object.transform.translate - eye)) + glm::length(half);
+}
+
+} // namespace
+
+Conditioning::Conditioning(const Scene &scene, const std::vector<ObjectResources> &resources,
+                           const Technique &technique, const ReferenceFrame &truth)
+    : truth_(truth), change_(truth.color.size(), 0) {
+    const glm::dvec3 &eye = scene.camera.position;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double share : {-rounding, rounding}) {
+            Scene objects = scene;
+            for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+                objects.objects[i].transform.translate[axis] +=
+                    share * reach(eye, scene.objects[i], *resources[i].mesh);
+            }
+            note(render_reference(objects, resources, technique, truth.size));
+            Scene lights = scene;
+            for (Light &light : lights.lights) {
+                light.position[axis] += share * glm::length(light.position - eye);
+            }
+            note(render_reference(lights, resources, technique, truth.size));
+        }
+    }
+}
+
+void Conditioning::note(const ReferenceFrame &moved) {
+    for (std::size_t i = 0; i < change_.size(); ++i) {
+        if (moved.object_ids[i] == truth_.object_ids[i]) {
+            change_[i] = std::max(change_[i], largest(moved.color[i] - truth_.color[i]));
+        }
+    }
+}
+
+bool Conditioning::compared(std::size_t i) const {
+    return truth_.object_ids[i] != 0 && truth_.edge[i] == 0 && truth_.jump[i] == 0;
+}
+
+double Conditioning::unexplained(const Frame &drawn) const {
+    double brightest = darkest;
+    double most = 0;
+    for (std::size_t i = 0; i < change_.size(); ++i) {
+        if (!compared(i)) {
+            continue;
+        }
+        brightest = std::max(brightest, largest(truth_.color[i]));
+        if (drawn.object_ids[i] == truth_.object_ids[i]) {
+            most = std::max(most, largest(glm::dvec3(drawn.color.pixels[i]) - truth_.color[i]) - change_[i]);
+        }
+    }
+    return most / brightest;
+}
+
+} // namespace sandbox

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "reference/reference.h"
+#include "scene/resources.h"
+#include "scene/scene.h"
+#include "shading/technique.h"
+
+#include <vector>
+
+namespace sandbox {
+
+/// What rounding a scene's positions to float32 does to the truth itself: all objects, then all lights, are moved to
+/// and fro along each axis by 2^-22 (four roundings) of how far from the eye they reach. Light that grazes, light from
+/// within the surface and slivers thinner than a pixel magnify that; no formula helps.
+class Conditioning {
+  public:
+    Conditioning(const Scene &scene, const std::vector<ObjectResources> &resources, const Technique &technique,
+                 const ReferenceFrame &truth);
+
+    /// The largest error of the compared pixels less what rounding explains of it, as a share of the brightest of them.
+    [[nodiscard]] double unexplained(const Frame &drawn) const;
+
+  private:
+    void note(const ReferenceFrame &moved);
+    [[nodiscard]] bool compared(std::size_t pixel) const;
+
+    const ReferenceFrame &truth_;
+    std::vector<double> change_; ///< a pixel each: the largest
+};
+
+} // namespace sandbox
