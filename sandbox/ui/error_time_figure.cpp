@@ -41,7 +41,13 @@ void warning(const WorkPrecision &measured, const Scene &shown, ImVec2 right) {
     ImGui::GetWindowDrawList()->AddText({right.x - width, right.y}, ImGui::GetColorU32(error_text()), text.c_str());
 }
 
-void tooltip(const WorkPrecision &measured, std::size_t row) {
+/// Above the mouse, towards the `middle` of the plot: neither its lower part nor the status line is hidden.
+void tooltip(const WorkPrecision &measured, std::size_t row, float middle) {
+    const ImVec2 mouse = ImGui::GetMousePos();
+    const float gap = ImGui::GetFontSize();
+    const bool to_left = mouse.x > middle;
+    ImGui::SetNextWindowPos({mouse.x + (to_left ? -gap : gap), mouse.y - gap / 2}, ImGuiCond_Always,
+                            {to_left ? 1.0F : 0.0F, 1.0F});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ImGui::GetFontSize() * 0.6F, ImGui::GetFontSize() * 0.4F));
     ImGui::BeginTooltip();
     const Frequency frequency = measured.rows[row].plan.technique.frequency;
@@ -60,7 +66,7 @@ void tooltip(const WorkPrecision &measured, std::size_t row) {
 
 void row_clicks(Session &session, const WorkPrecision &measured, std::size_t row) {
     const bool current = is_current(measured, session.document.scene);
-    session.hint = std::string(current ? "Click: this technique and mesh into A.  "
+    session.hint = std::string(current ? "Click: this technique into A, its mesh into both.  "
                                        : "Click: this technique into A; the scene keeps its mesh.  ") +
                    "Right-click or Shift+click: into B.";
     const bool left = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
@@ -97,7 +103,7 @@ void error_time_figure(Session &session, const WorkPrecision &measured, const Er
         }
     }
     if (hovered) {
-        tooltip(measured, *hovered);
+        tooltip(measured, *hovered, corner.x + size.x / 2);
         row_clicks(session, measured, *hovered);
     }
 }

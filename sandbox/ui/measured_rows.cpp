@@ -45,8 +45,9 @@ std::vector<std::string> row_lines(const WorkPrecision &measured, std::size_t in
         lines.push_back("RMSE " + short_number(total.rmse) + ", 99th percentile " + short_number(total.p99_abs) +
                         ", largest " + short_number(total.max_abs));
         lines.push_back("RMSE of its parts: interpolation " + short_number(split.interpolation.rmse) + ", geometry " +
-                        short_number(split.geometry ? split.geometry->rmse : 0) + ", float32 " +
-                        short_number(split.arithmetic.rmse) + ", 8 bits " + short_number(split.quantisation.rmse));
+                        short_number(split.geometry ? split.geometry->rmse : 0) + ",");
+        lines.push_back("float32 " + short_number(split.arithmetic.rmse) + ", rounding to 8 bits " +
+                        short_number(split.quantisation.rmse));
     }
     return lines;
 }
