@@ -31,7 +31,8 @@ std::string bound_text(const StabilityCase &of) {
 /// What A is, which not every case has a program for.
 const char *left_text(const StabilityCase &of) {
     return of.textbook ? "A: the same program with the textbook's power.  B: robust."
-                       : "A: a textbook's equation in float32 on the processor.  B: robust.";
+                       : "A: a textbook's equation in float32 on the processor; what hides what is the "
+                         "reference's.  B: robust.";
 }
 
 void failed_rows(const StabilityResult &result) {
@@ -124,6 +125,11 @@ void StabilityDetails::draw(const ListedCase &one) {
     if (one.result) {
         pictures(*one.result);
         failed_rows(*one.result);
+    } else {
+        ImGui::PushTextWrapPos(0);
+        ImGui::TextColored(quiet_text(), "Not run yet: \"Run this case\" shows textbook, robust and reference beside "
+                                         "each other, and judges them.");
+        ImGui::PopTextWrapPos();
     }
     story_line("Symptom", of.symptom);
     story_line("Cause", of.cause);

@@ -70,9 +70,10 @@ std::string summary(const std::vector<ListedCase> &cases) {
     if (run == 0) {
         return all + " cases, none run yet";
     }
+    const auto some = [](auto number) { return number == 0 ? std::string("none") : std::to_string(number); };
     return std::to_string(run) + " of " + all + " run: robust " +
-           (broken == 0 ? "holds in all" : "breaks in " + std::to_string(broken)) + ", the textbook breaks in " +
-           std::to_string(count(textbook_verdict, Verdict::breaks));
+           (broken == 0 ? "holds in all" : "breaks in " + some(broken)) + ", the textbook breaks in " +
+           some(count(textbook_verdict, Verdict::breaks));
 }
 
 std::string short_name(const StabilityCase &one) {

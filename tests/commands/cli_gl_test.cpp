@@ -70,6 +70,24 @@ TEST_F(CliGl, ASidecarMakesThePictureAgainBitForBit) {
     }
 }
 
+/// A flattened object: a textbook inverts its matrix, no program here does.
+TEST_F(CliGl, ASidecarBringsATextbooksPictureBack) {
+    const auto draw = [&](const std::string &name, Arguments more) {
+        more.insert(more.begin(), {"capture", folder.file("a.png.json"), "--out", folder.file(name)});
+        const ProcessResult result = run_sandbox(more);
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+    };
+    ASSERT_EQ(capture("a.png", {"--set", "objects[0].transform.scale=[1,0,1]"}).exit_code, 0);
+    auto sidecar = nlohmann::json::parse(folder.read("a.png.json"));
+    sidecar["textbook_left"] = true;
+    folder.write("a.png.json", sidecar.dump());
+    draw("textbook.png", {});
+    draw("again.png", {"--technique", "per-pixel/blinn-phong"});
+    EXPECT_FALSE(same_bytes("a.png", "textbook.png"));
+    EXPECT_TRUE(nlohmann::json::parse(folder.read("textbook.png.json"))["textbook_left"]);
+    EXPECT_TRUE(same_bytes("a.png", "again.png")); // a technique that is named is drawn by its program
+}
+
 TEST_F(CliGl, FlagsOverrideASidecar) {
     ASSERT_EQ(capture("two.png", {"--left", "flat/phong", "--right", "flat/lambert", "--labels"}).exit_code, 0);
     ASSERT_EQ(capture("one.png", {"--technique", "flat/lambert"}).exit_code, 0);

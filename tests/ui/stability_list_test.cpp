@@ -68,7 +68,11 @@ TEST(StabilityList, SumsUp) {
     std::vector<ListedCase> cases = list_cases({of, of, of});
     EXPECT_EQ(summary(cases), "3 cases, none run yet");
     cases[0] = judged(of, row(1, false), row(0, true), row(0, true));
-    cases[1] = judged(of, row(0, true), row(0, true), row(0, true));
+    cases[1] = cases[0];
+    cases[0] = judged(of, row(0, true), row(0, true), row(0, true));
+    cases[2] = cases[0];
+    EXPECT_EQ(summary({cases[0], cases[2]}), "2 of 2 run: robust holds in all, the textbook breaks in none");
+    cases[2].result.reset();
     EXPECT_EQ(summary(cases), "2 of 3 run: robust holds in all, the textbook breaks in 1");
     cases[2] = judged(of, row(0, true), row(0, true), row(1, false));
     EXPECT_EQ(summary(cases), "3 of 3 run: robust breaks in 1, the textbook breaks in 1");
