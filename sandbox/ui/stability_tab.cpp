@@ -36,6 +36,7 @@ class StabilityTab final : public TabContent {
 
     void run_buttons(Session &session);
     void filter_controls(Session &session);
+    void story(ImVec2 size);
 
     DrawingSupplies supplies_;
     std::vector<ListedCase> cases_;
@@ -192,6 +193,25 @@ void StabilityTab::filter_controls(Session &session) {
     }
 }
 
+void StabilityTab::story(ImVec2 size) {
+    if (ImGui::BeginChild("story", size)) {
+        ImGui::PushTextWrapPos(0);
+        if (std::ranges::none_of(cases_, [this](const ListedCase &one) { return is_shown(one, filter_); })) {
+            ImGui::TextUnformatted("No case that was run is one of these.");
+        }
+        if (!chosen_) {
+            ImGui::TextColored(quiet_text(), "%s", summary(cases_).c_str());
+            ImGui::TextColored(quiet_text(),
+                               "A click on a case opens it: A as a textbook has it, B as this program draws it.");
+        }
+        ImGui::PopTextWrapPos();
+        if (chosen_) {
+            details_.draw(cases_[*chosen_]);
+        }
+    }
+    ImGui::EndChild();
+}
+
 void StabilityTab::draw(Session &session, ViewPainter &painter, const Fonts &) {
     if (job_) {
         job_progress_row(session, job_->job());
@@ -205,29 +225,19 @@ void StabilityTab::draw(Session &session, ViewPainter &painter, const Fonts &) {
         ImGui::PopTextWrapPos();
     }
     const float em = ImGui::GetFontSize();
+    const ImVec2 gap = ImGui::GetStyle().ItemSpacing;
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const bool beside = room.x > em * 46;
-    const float details = beside ? std::clamp(room.x * 0.4F, em * 27.5F, em * 34) : room.x;
-    const float gap = ImGui::GetStyle().ItemSpacing.x;
-    const ImVec2 table = beside ? ImVec2{room.x - details - gap, room.y} : ImVec2{room.x, room.y * 0.5F};
+    const float width = beside ? std::clamp(room.x * 0.4F, em * 27.5F, em * 34) : room.x; // of the story
+    const float height = beside ? room.y : room.y * (chosen_ ? 0.5F : 0.2F);
+    const ImVec2 table = beside ? ImVec2{room.x - width - gap.x, room.y} : ImVec2{room.x, room.y - height - gap.y};
     if (const auto clicked = case_table(session, cases_, filter_, chosen_, table)) {
         open(session, painter, *clicked);
     }
     if (beside) {
         ImGui::SameLine();
     }
-    if (ImGui::BeginChild("details", {beside ? details : 0, 0})) {
-        if (chosen_) {
-            details_.draw(cases_[*chosen_]);
-        } else {
-            ImGui::PushTextWrapPos(0);
-            ImGui::TextColored(quiet_text(), "%s", summary(cases_).c_str());
-            ImGui::TextColored(quiet_text(),
-                               "A click on a case opens it: A as a textbook has it, B as this program draws it.");
-            ImGui::PopTextWrapPos();
-        }
-    }
-    ImGui::EndChild();
+    story({width, height});
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "ui/verdict_color.h"
 #include "ui/widgets.h"
 
+#include <algorithm>
 #include <string>
 
 namespace sandbox {
@@ -55,8 +56,8 @@ std::optional<std::size_t> case_table(Session &session, const std::vector<Listed
     } else {
         ImGui::TableSetupColumn("case", ImGuiTableColumnFlags_WidthStretch);
     }
-    ImGui::TableSetupColumn("textbook", ImGuiTableColumnFlags_WidthFixed, em * 9.8F);
-    ImGui::TableSetupColumn("robust", ImGuiTableColumnFlags_WidthFixed, em * 7);
+    ImGui::TableSetupColumn("textbook", ImGuiTableColumnFlags_WidthFixed, std::min(em * 9.8F, size.x * 0.38F));
+    ImGui::TableSetupColumn("robust", ImGuiTableColumnFlags_WidthFixed, std::min(em * 7, size.x * 0.27F));
     if (wide) {
         ImGui::TableSetupColumn("cost", ImGuiTableColumnFlags_WidthFixed, em * 3);
     }
