@@ -19,6 +19,14 @@ constexpr double steep_exponent = 0.5;    ///< f^n with a smaller n leaves 0 lik
 
 double largest(const glm::dvec3 &v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
+/// The lengths whose difference gives the distance, as shares of it.
+double spread(const LightSetup &light, const glm::dvec3 &position, double d) {
+    if (light.light.type == LightType::directional) {
+        return 0;
+    }
+    return (glm::length(position) + glm::length(light.position)) / std::max(d, 1e-300);
+}
+
 /// One place's branches, with its neighbours worked out only where something is close.
 class Branches {
   public:
@@ -29,7 +37,7 @@ class Branches {
         const auto n_dot_v = [](const Place &p) { return glm::dot(p.raw_normal, p.view); };
         const auto quantity = [&](const Place &p) { return n_dot_v(p); };
         const bool gate = setup_.technique.gate == Gate::view_facing;
-        if ((!two_sided && !gate) || !close(quantity, 2 * rounding)) {
+        if ((!two_sided && !gate) || !close(quantity, 2 * rounding / here_.normal_length)) {
             return false;
         }
         return two_sided ? turning_matters() : light_sum_matters();
@@ -38,10 +46,14 @@ class Branches {
     bool light_branches(std::size_t i) {
         const LightSetup &light = setup_.lights[i];
         const LightVectors vectors = sampler_.vectors(here_, i);
-        const double noise = rounding * (1 + spread(light, vectors));
+        if (direction_is_rounding(light, here_.position)) {
+            return true;
+        }
+        const double lengths = spread(light, here_.position, vectors.d);
+        const double noise = rounding * (1 / here_.normal_length + lengths);
         // A product of exact zeros has no rounding: a floor under a horizontal directional light is not in doubt.
         const double dot_noise =
-            rounding * (glm::dot(glm::abs(here_.normal), glm::abs(vectors.l)) + spread(light, vectors));
+            rounding * (glm::dot(glm::abs(here_.normal), glm::abs(vectors.l)) / here_.normal_length + lengths);
         const auto n_dot_l = [&](const Place &p) { return glm::dot(p.normal, sampler_.vectors(p, i).l); };
         const auto beyond_cone = [&](const Place &p) {
             return glm::dot(-sampler_.vectors(p, i).l, light.travel) - light.cos_outer;
@@ -78,14 +90,6 @@ class Branches {
             below_ = sampler_.at(0, edge_width);
         }
         return std::abs(q) < std::abs(quantity(*right_) - q) + std::abs(quantity(*below_) - q) + noise;
-    }
-
-    /// The lengths whose difference gives the distance, as shares of it.
-    double spread(const LightSetup &light, const LightVectors &vectors) const {
-        if (light.light.type == LightType::directional) {
-            return 0;
-        }
-        return (glm::length(here_.position) + glm::length(light.position)) / std::max(vectors.d, 1e-300);
     }
 
     LightTerms terms_of(std::size_t i) const {
@@ -158,6 +162,11 @@ class Branches {
 };
 
 } // namespace
+
+bool direction_is_rounding(const LightSetup &light, const glm::dvec3 &position) {
+    const double d = glm::length(light.position - position);
+    return rounding * spread(light, position, d) > far_from_a_branch;
+}
 
 Point::Point(const Setup &setup, bool two_sided, const glm::dvec3 &position, const glm::dvec3 &normal) : setup_(setup) {
     place_.position = position;

@@ -13,7 +13,8 @@ enum class Terms { all, body, highlight };
 struct Place {
     glm::dvec3 position{0}; ///< as lit, from the eye
     glm::dvec3 raw_normal{0};
-    glm::dvec3 normal{0}; ///< raw_normal, turned to the viewer if the object is two-sided
+    double normal_length = 1; ///< of raw_normal as interpolated: float32 rounds it by a share of 1, not of this
+    glm::dvec3 normal{0};     ///< raw_normal, turned to the viewer if the object is two-sided
     glm::dvec3 view{0};
     glm::dvec3 weights{0}; ///< of a triangle's corners, if it is on one
 };
@@ -39,6 +40,9 @@ class Point : public Sampler {
     const Setup &setup_;
     Place place_;
 };
+
+/// Is a light so near to `position` (both from the eye) that rounding alone says in which direction it lies?
+bool direction_is_rounding(const LightSetup &light, const glm::dvec3 &position);
 
 /// The sum over all lights.
 Reflected reflect(const Setup &setup, const Material &material, Terms terms, const Place &place,

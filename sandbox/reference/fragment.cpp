@@ -1,5 +1,6 @@
 #include "reference/fragment.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/common.hpp>
@@ -40,6 +41,7 @@ Place Fragment::at(double dx, double dy) const {
     place.position = blend(place.weights, object_.positions, triangle_);
     place.raw_normal = blend(place.weights, object_.normals, triangle_);
     if (setup_.technique.renormalize == Renormalize::on) {
+        place.normal_length = glm::length(place.raw_normal);
         place.raw_normal = unit(place.raw_normal);
     }
     if (setup_.technique.frequency == Frequency::interpolated_vectors) {
@@ -179,16 +181,26 @@ bool Fragment::checker_unstable() const {
     return false;
 }
 
-/// Where the corners' normals all but cancel, float32's rounding of what is left (1e-7) turns it by more than 1e-4.
+/// Where the corners' normals all but cancel, float32 rounds what is left four times as coarsely as a normal, and more.
 bool Fragment::normal_unstable() const {
     const bool interpolated = setup_.technique.frequency != Frequency::flat &&
                               setup_.technique.frequency != Frequency::per_vertex &&
                               setup_.technique.renormalize == Renormalize::on;
-    return interpolated && glm::length(blend(here_.weights, object_.normals, triangle_)) < 1e-3;
+    return interpolated && here_.normal_length < 0.25;
+}
+
+/// Vectors that are interpolated are as good as the corners'.
+bool Fragment::corner_light_unstable() const {
+    const auto unstable = [&](const LightSetup &light) {
+        return std::ranges::any_of(
+            std::array{0, 1, 2}, [&](int i) { return direction_is_rounding(light, object_.positions[triangle_[i]]); });
+    };
+    return setup_.technique.frequency == Frequency::interpolated_vectors &&
+           std::ranges::any_of(setup_.lights, unstable);
 }
 
 bool Fragment::unstable() const {
-    if (checker_unstable() || normal_unstable()) {
+    if (checker_unstable() || normal_unstable() || corner_light_unstable()) {
         return true;
     }
     const auto jumps = [&](Terms terms) {

@@ -32,6 +32,7 @@ class Fragment : public Sampler {
     [[nodiscard]] Reflected reflected() const;
     [[nodiscard]] bool checker_unstable() const;
     [[nodiscard]] bool normal_unstable() const;
+    [[nodiscard]] bool corner_light_unstable() const;
     [[nodiscard]] glm::dvec3 object_position(const glm::dvec3 &weights) const;
     [[nodiscard]] LightVectors interpolated_vectors(const Place &place, std::size_t light) const;
 

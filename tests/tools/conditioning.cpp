@@ -20,6 +20,20 @@ double reach(const glm::dvec3 &eye, const Object &object, const Mesh &mesh) {
     return glm::length(middle + (object.transform.translate - eye)) + glm::length(half);
 }
 
+/// As if N.L and the highlight were 1 everywhere.
+Scene facing_the_lights(Scene scene) {
+    for (Light &light : scene.lights) {
+        light.ambient += light.diffuse + light.specular;
+        light.diffuse = light.specular = 0;
+        light.attenuate_ambient = true;
+    }
+    for (Object &object : scene.objects) {
+        Material &m = object.material;
+        m.ambient = glm::max(m.ambient, glm::max(m.diffuse, m.specular));
+    }
+    return scene;
+}
+
 } // namespace
 
 Conditioning::Conditioning(const Scene &scene, const std::vector<ObjectResources> &resources,
@@ -40,6 +54,14 @@ Conditioning::Conditioning(const Scene &scene, const std::vector<ObjectResources
             }
             note(render_reference(lights, resources, technique, truth.size));
         }
+    }
+    note_cosines(
+        render_reference(facing_the_lights(scene), resources, parse_technique("per-pixel/lambert"), truth.size));
+}
+
+void Conditioning::note_cosines(const ReferenceFrame &facing) {
+    for (std::size_t i = 0; i < change_.size(); ++i) {
+        change_[i] += facing.object_ids[i] == truth_.object_ids[i] ? 2 * rounding * largest(facing.color[i]) : 0;
     }
 }
 

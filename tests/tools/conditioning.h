@@ -11,7 +11,8 @@ namespace sandbox {
 
 /// What rounding a scene's positions to float32 does to the truth itself: all objects, then all lights, are moved to
 /// and fro along each axis by 2^-22 (four roundings) of how far from the eye they reach. Light that grazes, light from
-/// within the surface and slivers thinner than a pixel magnify that; no formula helps.
+/// within the surface and slivers thinner than a pixel magnify that; no formula helps. A cosine's own rounding counts
+/// too: 2^-21 of what the lights would give to a surface that faced them.
 class Conditioning {
   public:
     Conditioning(const Scene &scene, const std::vector<ObjectResources> &resources, const Technique &technique,
@@ -22,6 +23,7 @@ class Conditioning {
 
   private:
     void note(const ReferenceFrame &moved);
+    void note_cosines(const ReferenceFrame &facing);
     [[nodiscard]] bool compared(std::size_t pixel) const;
 
     const ReferenceFrame &truth_;
