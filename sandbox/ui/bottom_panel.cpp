@@ -13,6 +13,9 @@ namespace {
 
 constexpr float least_share = 0.2F, most_share = 0.85F;
 
+/// A half, more where that is little; never so much that the pictures are lost.
+float first_share(float room) { return std::clamp(ImGui::GetFontSize() * 19 / room, 0.5F, 0.68F); }
+
 float edge_height() { return std::max(4.0F, std::floor(ImGui::GetFontSize() * 0.3F)); }
 float tabs_height() { return ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().ItemSpacing.y; }
 
@@ -46,7 +49,9 @@ BottomPanel::BottomPanel(const DrawingSupplies &supplies) {
 
 float BottomPanel::height(const Session &session, float room) {
     const float tabs = tabs_height();
-    return session.appearance.tab ? std::max(std::floor(room * session.appearance.bottom_share), tabs) : tabs;
+    const float chosen = session.appearance.bottom_share;
+    const float share = chosen > 0 ? chosen : first_share(room);
+    return session.appearance.tab ? std::max(std::floor(room * share), tabs) : tabs;
 }
 
 void BottomPanel::draw_tabs(Session &session) const {

@@ -119,8 +119,8 @@ void ErrorTimeTab::facts() const {
     const WorkPrecision &m = run_->measured;
     ImGui::PushTextWrapPos(0);
     ImGui::TextColored(quiet_text(), "%s, %dx%d, medians of %zu rounds: %s, on %s.", name_.c_str(),
-                       m.options.size.width, m.options.size.height, complete_rounds(m),
-                       std::string(report_clock).c_str(), run_->machine.renderer.c_str());
+                       m.options.size.width, m.options.size.height, complete_rounds(m), run_->machine.clock.c_str(),
+                       run_->machine.renderer.c_str());
     ImGui::PopTextWrapPos();
 }
 
@@ -133,14 +133,15 @@ void ErrorTimeTab::findings(Session &session) {
         ImGui::SameLine();
     }
     error_time_choices(session, m, view_, !beside);
-    if (!beside) {
-        same_line_if_fits(em * 5); // the first technique, then as many as fit
+    if (beside) {
+        error_time_legend(session, view_);
     }
-    error_time_legend(session, view_);
     const ImVec2 room = ImGui::GetContentRegionAvail();
     error_time_figure(session, m, view_, {beside ? room.x - table : room.x, std::max(room.y, em * 7.5F)});
     if (beside) {
         ImGui::SameLine();
+    } else {
+        error_time_legend(session, view_);
     }
     ImGui::BeginGroup();
     cheapest_table(session, m, view_);
@@ -166,8 +167,8 @@ void ErrorTimeTab::draw(Session &session, ViewPainter &, const Fonts &) {
         ImGui::PushTextWrapPos(0);
         ImGui::TextColored(quiet_text(),
                            "Run draws every technique on meshes from coarse to fine, compares each picture "
-                           "with the truth in double precision, and takes its time: %s, on %s.",
-                           std::string(report_clock).c_str(), supplies_.by.renderer.c_str());
+                           "with the truth in double precision, and takes its time, on %s.",
+                           supplies_.by.renderer.c_str());
         ImGui::PopTextWrapPos();
     }
 }

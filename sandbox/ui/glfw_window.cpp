@@ -109,6 +109,8 @@ void GlfwWindow::set_title(const std::string &title) { glfwSetWindowTitle(window
 
 void GlfwWindow::show() { glfwShowWindow(window_); }
 
+void GlfwWindow::hide() { glfwHideWindow(window_); }
+
 void GlfwWindow::set_full_screen(bool on) {
     if (on == full_screen_) {
         return;

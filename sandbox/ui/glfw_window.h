@@ -44,6 +44,7 @@ class GlfwWindow {
     [[nodiscard]] float content_scale() const;
     void set_title(const std::string &title);
     void show();
+    void hide();
     void set_full_screen(bool on);
 
   private:

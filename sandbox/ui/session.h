@@ -31,7 +31,7 @@ struct Appearance {
     bool full_screen = false;
     bool key_list = false;
     std::optional<BottomTab> tab; ///< of the bottom panel; none: it is folded
-    float bottom_share = 0.5F;    ///< of the height of pictures and bottom panel, while it is open
+    float bottom_share = 0;       ///< of the height of pictures and bottom panel, while it is open; 0: not chosen yet
 };
 
 /// What the status line says until the next one.

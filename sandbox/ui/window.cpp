@@ -80,6 +80,7 @@ void Window::run() {
             answer_requests();
         }
     }
+    window_.hide(); // work in the background may take a moment to stop
 }
 
 /// No event, no frame.
