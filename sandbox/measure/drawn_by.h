@@ -18,18 +18,26 @@ double timed_by(Renderer &renderer, Target &target, const Scene &scene, const Te
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Pictures have the size of `target`.
-template <typename Renderer, typename Target> DrawRows rows_drawn_by(Renderer &renderer, Target &target) {
-    return {[&](const Scene &s) { return renderer.resources().load(s); },
-            [&](const Scene &s, const Technique &t) { return renderer.render(s, t, target.size(), true); },
-            [&](const Scene &s, const Technique &t) { return timed_by(renderer, target, s, t); }};
+/// Pictures have the size of `target`; frames are timed by `clock` (FrameClock).
+template <typename Renderer, typename Target, typename Clock>
+DrawRows rows_drawn_by(Renderer &renderer, Target &target, Clock &clock) {
+    return {
+        [&](const Scene &s) { return renderer.resources().load(s); },
+        [&](const Scene &s, const Technique &t) { return renderer.render(s, t, target.size(), true); },
+        [&](const Scene &s, const Technique &t) { return clock.milliseconds([&] { renderer.draw(s, t, target); }); }};
 }
 
 /// Costs are taken on `target`, which should have stability_timed_size.
 template <typename Renderer, typename Target> StabilityDraw cases_drawn_by(Renderer &renderer, Target &target) {
     return {[&](const Scene &s) { return renderer.resources().load(s); },
             [&](const Scene &s, const Technique &t, Size size) { return renderer.render(s, t, size, true); },
-            [&](const Scene &s, const Technique &t) { return timed_by(renderer, target, s, t); }};
+            [&](const Scene &s, const Technique &t) { return timed_by(renderer, target, s, t); },
+            [&](const Scene &s, const Technique &t) {
+                const auto start = std::chrono::steady_clock::now();
+                renderer.draw_unguarded(s, t, target);
+                renderer.finish();
+                return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+            }};
 }
 
 } // namespace sandbox

@@ -17,9 +17,10 @@ struct Machine {
     int threads = 0;              ///< of the processor
     std::string llvmpipe_threads; ///< LP_NUM_THREADS; empty: not set
     std::string build;            ///< "release" or "debug", and the compiler
+    std::string clock;            ///< what every time was taken with
     bool operator==(const Machine &) const = default;
 };
-/// All but renderer and opengl.
+/// All but renderer, opengl and clock.
 Machine this_machine();
 
 struct ReportPicture {
@@ -37,7 +38,7 @@ struct ReportRun {
 };
 
 /// A run that begins now, on this machine, by this version; nothing is measured yet.
-ReportRun new_report_run(std::string renderer, std::string opengl);
+ReportRun new_report_run(std::string renderer, std::string opengl, std::string clock);
 
 /// {"format": ..., "runs": [...]}; the keys are documented in report_json.cpp.
 std::string report_json(const std::vector<ReportRun> &runs);
@@ -49,8 +50,5 @@ std::string report_csv(const std::vector<ReportRun> &runs);
 
 /// One self-contained page. With several runs they stand side by side.
 std::string report_html(const std::vector<ReportRun> &runs);
-
-/// What every time in a report was taken with.
-constexpr std::string_view report_clock = "wall clock around draw and glFinish";
 
 } // namespace sandbox

@@ -95,7 +95,7 @@ Json run_json(const ReportRun &run) {
               {"truth", m.no_analytic_surface.empty() ? "analytic surface" : "finest mesh"},
               {"truth_reason", m.no_analytic_surface},
               {"finished", m.finished},
-              {"clock", report_clock},
+              {"clock", run.machine.clock},
               {"warm_ups", m.options.warm_ups},
               {"repeats", m.options.repeats},
               {"first_rings", m.options.first_rings},

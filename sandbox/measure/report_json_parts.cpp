@@ -95,8 +95,13 @@ Json machine_json(const Machine &machine) {
 }
 
 Machine machine_from(const Json &json) {
-    return {json.at("renderer"),           json.at("opengl"),           json.at("processor"),
-            json.at("threads").get<int>(), json.at("llvmpipe_threads"), json.at("build")};
+    return {json.at("renderer"),
+            json.at("opengl"),
+            json.at("processor"),
+            json.at("threads").get<int>(),
+            json.at("llvmpipe_threads"),
+            json.at("build"),
+            {}};
 }
 
 Json row_json(const MeasuredRow &row, const std::vector<PlannedMesh> &meshes) {

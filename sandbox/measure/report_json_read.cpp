@@ -16,6 +16,7 @@ ReportRun run_from(const Json &json, std::string_view name) {
     json.at("date").get_to(run.date);
     json.at("quick").get_to(run.quick);
     run.machine = report_parts::machine_from(json.at("machine"));
+    run.machine.clock = json.at("clock");
     WorkPrecision &m = run.measured;
     m.scene = parse_scene(json.at("scene").dump(), std::string(name) + ": scene", {});
     m.no_analytic_surface = json.at("truth_reason");

@@ -51,14 +51,16 @@ Machine this_machine() {
             .processor = processor_name(),
             .threads = static_cast<int>(std::thread::hardware_concurrency()),
             .llvmpipe_threads = llvmpipe_threads != nullptr ? llvmpipe_threads : "",
-            .build = build_name()};
+            .build = build_name(),
+            .clock = {}};
 }
 
-ReportRun new_report_run(std::string renderer, std::string opengl) {
+ReportRun new_report_run(std::string renderer, std::string opengl, std::string clock) {
     ReportRun run;
     run.machine = this_machine();
     run.machine.renderer = std::move(renderer);
     run.machine.opengl = std::move(opengl);
+    run.machine.clock = std::move(clock);
     run.version = SANDBOX_VERSION;
     run.date = utc_now();
     return run;

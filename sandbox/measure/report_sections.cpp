@@ -150,7 +150,7 @@ std::string method(const ReportRun &run) {
     list += item("LP_NUM_THREADS",
                  run.machine.llvmpipe_threads.empty() ? "not set" : escaped(run.machine.llvmpipe_threads));
     list += item("Program", "Shading Sandbox " + escaped(run.version) + ", " + escaped(run.machine.build));
-    list += item("Clock", std::string(report_clock) + "; GPU timers are not used");
+    list += item("Clock", escaped(run.machine.clock));
     list += item("Rounds", std::to_string(m.options.warm_ups) + " dropped, then " + std::to_string(m.options.repeats) +
                                " timed; every row is drawn once a round, so that drift reaches all alike");
     list += item("Frame", "clear, draw, finish, into RGBA32F; no object ids, no display pass, one sample a pixel");

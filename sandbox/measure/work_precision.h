@@ -59,7 +59,7 @@ struct DrawRows {
     std::function<std::vector<ObjectResources>(const Scene &)> load;
     /// The picture with object ids. Throws InputError where the technique is refused for the scene.
     std::function<Frame(const Scene &, const Technique &)> picture;
-    /// Draws without object ids and without reading back, waits until done; milliseconds of the wall clock.
+    /// Draws without object ids and without reading back, waits until done; milliseconds.
     std::function<double(const Scene &, const Technique &)> timed;
 };
 

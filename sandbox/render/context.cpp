@@ -51,8 +51,8 @@ void Context::load_functions(void (*(*get_proc_address)(const char *))()) {
 std::string Context::renderer() const { return gl_string(GL_RENDERER); }
 std::string Context::version() const { return gl_string(GL_VERSION); }
 
-bool Context::software() const {
-    const std::string name = renderer();
+bool Context::software() {
+    const std::string name = gl_string(GL_RENDERER);
     return name.find("llvmpipe") != std::string::npos || name.find("softpipe") != std::string::npos ||
            name.find("swrast") != std::string::npos || name.find("SWR") != std::string::npos;
 }

@@ -25,8 +25,8 @@ class Context {
     /// GL_RENDERER, GL_VERSION: "llvmpipe (LLVM 15.0.6, 256 bits)", "3.3 (Core Profile) Mesa 22.3.6".
     [[nodiscard]] std::string renderer() const;
     [[nodiscard]] std::string version() const;
-    /// True for llvmpipe, softpipe, swrast: time with glFinish.
-    [[nodiscard]] bool software() const;
+    /// Of the context that is current: true for llvmpipe, softpipe, swrast: time with glFinish.
+    [[nodiscard]] static bool software();
 
   protected:
     Context() = default;

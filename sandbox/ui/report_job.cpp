@@ -2,6 +2,8 @@
 
 #include "measure/drawn_by.h"
 #include "measure/report_pictures.h"
+#include "render/context.h"
+#include "render/frame_clock.h"
 
 namespace sandbox {
 
@@ -23,8 +25,9 @@ DrawRows told(const DrawRows &draw, JobReporter &reporter) {
 ReportRun measure(const Scene &scene, bool quick, const DrawnBy &by, Renderer &renderer, JobReporter &reporter) {
     const PlanOptions options = quick ? quick_plan() : PlanOptions{};
     Target target(options.size);
-    const DrawRows draw = rows_drawn_by(renderer, target);
-    ReportRun run = new_report_run(by.renderer, by.opengl);
+    FrameClock clock(Context::software(), [&] { renderer.draw(scene, {}, target); });
+    const DrawRows draw = rows_drawn_by(renderer, target, clock);
+    ReportRun run = new_report_run(by.renderer, by.opengl, std::string(clock.name()));
     run.quick = quick;
     reporter.say("the truth, in double precision");
     run.measured = measure_work_precision(scene, options, told(draw, reporter),

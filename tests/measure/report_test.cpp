@@ -31,7 +31,7 @@ ReportRun ball_run() {
         {load,
          [&](const Scene &s, const Technique &t) { return to_frame(render_reference(s, load(s), t, options.size)); },
          [&](const Scene &, const Technique &) { return ms += 0.125; }});
-    run.machine = {"llvmpipe", "3.3", "A processor", 2, "1", "release"};
+    run.machine = {"llvmpipe", "3.3", "A processor", 2, "1", "release", "a clock"};
     run.version = "1.2.3";
     run.date = "2031-05-01 12:00";
     run.pictures = {{"The truth", "caption", ByteImage{{2, 1}, std::vector<std::uint8_t>(6, 200)}}};

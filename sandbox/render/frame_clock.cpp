@@ -1,0 +1,73 @@
+#include "render/frame_clock.h"
+
+#include <chrono>
+#include <glad/gl.h>
+
+namespace sandbox {
+
+namespace {
+
+constexpr double long_draw = 50; // ms
+
+double wall_milliseconds(const std::function<void()> &frame) {
+    const auto start = std::chrono::steady_clock::now();
+    frame();
+    glFinish();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+double gpu_milliseconds(const Query &timer, const std::function<void()> &frame) {
+    glBeginQuery(GL_TIME_ELAPSED, timer.id());
+    frame();
+    glEndQuery(GL_TIME_ELAPSED);
+    GLuint64 nanoseconds = 0;
+    glGetQueryObjectui64v(timer.id(), GL_QUERY_RESULT, &nanoseconds); // waits
+    return static_cast<double>(nanoseconds) * 1e-6;
+}
+
+/// Both clocks around the same frames, many enough that starting and waiting do not matter.
+bool agrees_on_long_draw(const Query &timer, const std::function<void()> &frame) {
+    wall_milliseconds(frame); // the program is built
+    int frames = 1;
+    for (;;) {
+        double gpu = 0;
+        const double wall = wall_milliseconds([&] {
+            gpu = gpu_milliseconds(timer, [&] {
+                for (int i = 0; i < frames; ++i) {
+                    frame();
+                }
+            });
+        });
+        if (wall >= long_draw) {
+            return clocks_agree(gpu, wall);
+        }
+        frames *= 2;
+    }
+}
+
+} // namespace
+
+bool clocks_agree(double gpu_milliseconds, double wall_milliseconds) {
+    return gpu_milliseconds >= 0.8 * wall_milliseconds && gpu_milliseconds <= 1.05 * wall_milliseconds;
+}
+
+FrameClock::FrameClock(bool software, const std::function<void()> &frame) {
+    if (software) {
+        return;
+    }
+    Query timer = make_query();
+    if (agrees_on_long_draw(timer, frame)) {
+        timer_ = std::move(timer);
+    }
+}
+
+double FrameClock::milliseconds(const std::function<void()> &frame) {
+    return timer_ ? gpu_milliseconds(*timer_, frame) : wall_milliseconds(frame);
+}
+
+std::string_view FrameClock::name() const {
+    return timer_ ? "GPU timer (GL_TIME_ELAPSED), which agreed with the wall clock on a long draw"
+                  : "wall clock around draw and glFinish";
+}
+
+} // namespace sandbox

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "render/gl_object.h"
+
+#include <functional>
+#include <optional>
+#include <string_view>
+
+namespace sandbox {
+
+/// Times finished frames by the clock that can be trusted here: the GPU's own timer (GL_TIME_ELAPSED) where a long draw
+/// has shown that it agrees with the wall clock; else the wall clock around draw and glFinish. Software renderers keep
+/// to the wall clock: they put work off until after the timer has stopped.
+class FrameClock {
+  public:
+    /// Draws `frame` again and again, for some 50 ms, unless the renderer is `software` (Context::software).
+    FrameClock(bool software, const std::function<void()> &frame);
+
+    /// Draws `frame` once and waits until it is done; milliseconds.
+    double milliseconds(const std::function<void()> &frame);
+    /// What every result should say of its times.
+    [[nodiscard]] std::string_view name() const;
+
+  private:
+    std::optional<Query> timer_; ///< none: the wall clock
+};
+
+/// Of one long draw: a timer that misses a fifth of it, or sees more than there was, counts something else.
+bool clocks_agree(double gpu_milliseconds, double wall_milliseconds);
+
+} // namespace sandbox
