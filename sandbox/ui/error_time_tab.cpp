@@ -119,8 +119,8 @@ void ErrorTimeTab::facts() const {
     const WorkPrecision &m = run_->measured;
     ImGui::PushTextWrapPos(0);
     ImGui::TextColored(quiet_text(), "%s, %dx%d, medians of %zu rounds: %s, on %s.", name_.c_str(),
-                       m.options.size.width, m.options.size.height, complete_rounds(m),
-                       std::string(report_clock).c_str(), run_->machine.renderer.c_str());
+                       m.options.size.width, m.options.size.height, complete_rounds(m), run_->machine.clock.c_str(),
+                       run_->machine.renderer.c_str());
     ImGui::PopTextWrapPos();
 }
 
@@ -167,8 +167,8 @@ void ErrorTimeTab::draw(Session &session, ViewPainter &, const Fonts &) {
         ImGui::PushTextWrapPos(0);
         ImGui::TextColored(quiet_text(),
                            "Run draws every technique on meshes from coarse to fine, compares each picture "
-                           "with the truth in double precision, and takes its time: %s, on %s.",
-                           std::string(report_clock).c_str(), supplies_.by.renderer.c_str());
+                           "with the truth in double precision, and takes its time, on %s.",
+                           supplies_.by.renderer.c_str());
         ImGui::PopTextWrapPos();
     }
 }
