@@ -23,7 +23,7 @@ StabilityCase plain_case(const char *group, const char *name) {
     return one;
 }
 
-StabilityRow row(double error, bool passed, std::int64_t nonfinite = 0) {
+StabilityRow row(double error, bool passed, std::size_t nonfinite = 0) {
     StabilityRow row;
     row.error = nonfinite > 0 ? std::numeric_limits<double>::infinity() : error;
     row.metrics.nonfinite_pixels = nonfinite;
