@@ -16,8 +16,16 @@ constexpr double attenuation_floor = 1e-6;
 /// Exact at 90 degrees, where std::cos leaves 6e-17.
 double cos_degrees(double degrees) { return degrees == 90 ? 0 : std::cos(glm::radians(degrees)); }
 
-double smoothstep(double edge0, double edge1, double x) {
-    const double t = std::clamp((x - edge0) / (edge1 - edge0), 0.0, 1.0);
+/// 1 - cos, which keeps its digits where the cosine is 1.
+double versine(double degrees) { return 2 * std::pow(std::sin(glm::radians(degrees) / 2), 2); }
+
+/// smoothstep(cos outer, cos inner, c) from 1 - cos of all three: cones of 1e-5 degrees have edges, too.
+double soft_edge(const LightSetup &light, const glm::dvec3 &l) {
+    const glm::dvec3 chord = -l - light.travel; // half its square is 1 - c
+    const double outer = versine(light.light.cutoff_degrees);
+    const double width = outer - versine(light.light.inner_cutoff_degrees);
+    const double inside = outer - glm::dot(chord, chord) / 2;
+    const double t = width > 0 ? std::clamp(inside / width, 0.0, 1.0) : (inside < 0 ? 0.0 : 1.0);
     return t * t * (3 - 2 * t);
 }
 
@@ -46,7 +54,7 @@ void spot_factor(const LightSetup &light, LightTerms &terms) {
     terms.s_uncut = power_of_dot(-terms.vectors.l, light.travel, light.light.exponent);
     terms.s = terms.c < light.cos_outer ? 0 : terms.s_uncut;
     if (light.light.inner_cutoff_degrees < light.light.cutoff_degrees && terms.s != 0) {
-        terms.s *= smoothstep(light.cos_outer, light.cos_inner, terms.c);
+        terms.s *= soft_edge(light, terms.vectors.l);
     }
 }
 

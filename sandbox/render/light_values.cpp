@@ -56,8 +56,10 @@ LightValues light_values(const Light &light, const Scene &scene, const Technique
         values.cos_inner_cutoff = cos_degrees(light.inner_cutoff_degrees);
         const double sine = std::sin(glm::radians(light.cutoff_degrees));
         values.sin2_cutoff = sine * sine;
-        const double edge = values.cos_inner_cutoff - values.cos_cutoff;
-        values.edge_sharpness = edge > 0 ? 1 / edge : 0;
+        const double inner = std::sin(glm::radians(light.inner_cutoff_degrees) / 2);
+        const double outer = std::sin(glm::radians(light.cutoff_degrees) / 2);
+        const double edge = 2 * (outer - inner) * (outer + inner); // a difference of cosines near 1 has no digits left
+        values.edge_sharpness = light.inner_cutoff_degrees < light.cutoff_degrees ? 1 / std::max(edge, 1e-30) : 0;
         values.exponent = light.exponent;
     }
     return values;
