@@ -49,7 +49,7 @@ struct StabilityResult {
     StabilityCase of;
     std::vector<StabilityRow> rows; ///< as of.techniques
     StabilityRow textbook;
-    /// Run time of of.techniques[0] over that of the textbook's power; none where there is one program.
+    /// Run time of of.techniques[0] over that of the same program without guards; 1 where it has none anyhow.
     std::optional<double> cost;
     double exposure = 1; ///< of the pictures: see stability_exposure()
     ByteImage textbook_image, robust_image, reference_image;
@@ -66,6 +66,8 @@ struct StabilityDraw {
     std::function<Frame(const Scene &, const Technique &, Size)> picture;
     /// Draws and waits until done; milliseconds of the wall clock. Empty: no costs.
     std::function<double(const Scene &, const Technique &)> timed;
+    /// The same without the guards and stable powers that the scene needs: the textbook's program, timed only.
+    std::function<double(const Scene &, const Technique &)> timed_unguarded;
 };
 
 constexpr Size stability_size{129, 129}; ///< odd: one pixel looks straight ahead

@@ -29,6 +29,12 @@ std::string error_words(const StabilityRow &row) {
     return bad > 0 ? std::to_string(bad) + (bad == 1 ? " pixel" : " pixels") + " not finite" : short_number(row.error);
 }
 
+/// Exactly 1 is no measurement.
+std::string cost_words(double cost) {
+    return cost == 1 ? "none: the textbook's program, fed better numbers"
+                     : short_number(cost) + " times the textbook's run time";
+}
+
 std::string picture(const char *title, const std::string &caption, const ByteImage &image) {
     return std::string("<figure><img alt=\"") + title + "\" src=\"data:image/png;base64," + base64(encode_png(image)) +
            "\"><figcaption><b>" + title + "</b>" + caption + "</figcaption></figure>";
@@ -46,7 +52,7 @@ std::string case_html(const StabilityResult &result) {
             escaped(of.cause) + "</dd><dt>Met in</dt><dd>" + escaped(of.source) + "</dd><dt>Bound</dt><dd>" +
             short_number(of.bound) + (of.unit == ErrorUnit::linear_color ? "" : " of the brightest value") + "</dd>";
     if (result.cost) {
-        html += "<dt>Cost</dt><dd>" + short_number(*result.cost) + " times the textbook's run time</dd>";
+        html += "<dt>Cost</dt><dd>" + cost_words(*result.cost) + "</dd>";
     }
     html += "</dl>\n";
     for (const StabilityRow &row : result.rows) {
@@ -112,8 +118,8 @@ std::string stability_html(const StabilityRun &run) {
     html +=
         section("table", "All cases",
                 "A case keeps its bound if every pixel is finite and the largest difference over the compared pixels "
-                "stays within it, for every technique of the case. Cost is run time over that of the textbook's "
-                "power, taken in turns, where there are two programs.",
+                "stays within it, for every technique of the case. Cost is run time over that of the same program "
+                "without guards and stable powers, taken in turns; 1 where the scene needs none.",
                 table_html(run));
     std::string group, body;
     for (std::size_t i = 0; i < run.results.size(); ++i) {

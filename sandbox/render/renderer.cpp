@@ -99,9 +99,11 @@ struct Renderer::Impl {
         std::erase_if(textures, [](const auto &entry) { return entry.first.use_count() <= 1; });
     }
 
-    void draw_object(const DrawInput &input, const ObjectResources &own, const Target &target, bool deep) {
-        const Features features =
+    void draw_object(const DrawInput &input, const ObjectResources &own, const Target &target, bool deep,
+                     bool guarded) {
+        const Features needed =
             derive_features(input.scene, input.technique, input.object, *own.mesh, target.has_object_ids(), deep);
+        const Features features = guarded ? needed : without_guards(needed);
         require_drawable(features, input.scene, input.technique, input.object);
         const GlProgram &program = programs.get(features);
         glUseProgram(program.id());
@@ -112,6 +114,20 @@ struct Renderer::Impl {
         }
         set_culling(input.scene.camera, input.object, *own.mesh, input.aspect());
         buffers(own.mesh).draw(vertex_layout(features));
+    }
+
+    void draw(const Scene &scene, const Technique &technique, Target &target, bool guarded) {
+        const auto loaded = resources.load(scene);
+        const bool deep = is_deep(scene, loaded);
+        clear(scene, target);
+        for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+            const DrawInput input{scene,           technique,     scene.objects[i],
+                                  *loaded[i].mesh, target.size(), static_cast<unsigned>(i + 1)};
+            draw_object(input, loaded[i], target, deep, guarded);
+        }
+        glDisable(GL_CULL_FACE);
+        glFrontFace(GL_CCW);
+        forget_unused();
     }
 
     Resources resources;
@@ -127,17 +143,11 @@ Renderer::Renderer(Assets assets, ShaderParts parts)
 Renderer::~Renderer() = default;
 
 void Renderer::draw(const Scene &scene, const Technique &technique, Target &target) {
-    const auto resources = impl_->resources.load(scene);
-    const bool deep = is_deep(scene, resources);
-    clear(scene, target);
-    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-        const DrawInput input{
-            scene, technique, scene.objects[i], *resources[i].mesh, target.size(), static_cast<unsigned>(i + 1)};
-        impl_->draw_object(input, resources[i], target, deep);
-    }
-    glDisable(GL_CULL_FACE);
-    glFrontFace(GL_CCW);
-    impl_->forget_unused();
+    impl_->draw(scene, technique, target, true);
+}
+
+void Renderer::draw_unguarded(const Scene &scene, const Technique &technique, Target &target) {
+    impl_->draw(scene, technique, target, false);
 }
 
 void Renderer::finish() { glFinish(); }

@@ -25,6 +25,8 @@ class Renderer {
     /// Throws InputError if the technique is refused for this scene (too many varyings), ShaderError if a program does
     /// not build and no earlier one of the same view can stand in. Does not wait for the picture (see finish()).
     void draw(const Scene &scene, const Technique &technique, Target &target);
+    /// Without the guards that the scene needs (without_guards()): wrong, to measure what they cost.
+    void draw_unguarded(const Scene &scene, const Technique &technique, Target &target);
 
     /// Waits until all that was drawn is done (glFinish).
     static void finish();

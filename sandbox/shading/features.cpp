@@ -308,4 +308,13 @@ Features derive_features(const Scene &scene, const Technique &technique, const O
     return f;
 }
 
+Features without_guards(Features f) {
+    for (LightFeatures *light : {&f.directional, &f.point, &f.spot}) {
+        light->floor = light->on_surface = light->narrow_cone = light->stable_exponent = false;
+    }
+    f.exponent = f.exponent == Exponent::stable ? Exponent::textbook : f.exponent;
+    f.guard_normal = f.guard_vertex_normal = f.wide = f.deep = false;
+    return f;
+}
+
 } // namespace sandbox

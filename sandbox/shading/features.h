@@ -99,6 +99,9 @@ int varying_components(const Features &features);
 /// n as it is raised: blinn_exponent_scale * shininess under Blinn-Phong.
 double raised_exponent(const Scene &scene, Model model, const Material &material);
 
+/// The textbook's program of the same scene: no guard, no stable power. For measuring what they cost.
+Features without_guards(Features features);
+
 /// Throws InputError if the object needs more varyings than there are, naming it. `features` are what derive_features
 /// gave.
 void require_drawable(const Features &features, const Scene &scene, const Technique &technique, const Object &object);

@@ -39,6 +39,7 @@ StabilityDraw fake(double error) {
                 }
                 return frame;
             },
+            {},
             {}};
 }
 

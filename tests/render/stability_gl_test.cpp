@@ -15,6 +15,7 @@ class StabilityOnTheRenderer : public GlTest {
                 [this](const Scene &scene, const Technique &technique, Size size) {
                     return renderer_.render(scene, technique, size, true);
                 },
+                {},
                 {}};
     }
     Renderer renderer_{Assets("assets"), ShaderParts(Assets("shaders"))};

@@ -1,6 +1,9 @@
 #include "shading/program_source.h"
 
 #include "image/error.h"
+#include "scene/resources.h"
+#include "scene/scene_file.h"
+#include "shading/length_scale.h"
 #include "shading/template_values.h"
 #include "tools/feature_scenes.h"
 #include "tools/technique_walk.h"
@@ -118,6 +121,26 @@ TEST(ProgramText, GuardsOfExtremeScenesAreThereOnlyWhereTheyAreNeeded) {
     EXPECT_TRUE(has(wide, "ray_corner"));
     EXPECT_FALSE(has(wide, "v_position")); // in its place
     EXPECT_FALSE(has(text_of(scene, "per-vertex/phong"), "ray_corner"));
+}
+
+TEST(ProgramText, AnOrdinarySceneIsTheTextbooksProgramToTheLetter) {
+    for (const std::string &name : builtin_scenes(Assets("assets"))) {
+        const Scene scene = open_scene(name, Assets("assets"));
+        const auto resources = Resources(Assets("assets")).load(scene);
+        for (const std::string technique :
+             {"flat/phong", "per-vertex/phong", "per-pixel/phong", "per-pixel/blinn-phong",
+              "interpolated-vectors/blinn-phong", "hybrid/phong"}) {
+            const Object &object = scene.objects[0];
+            const bool deep = is_deep(scene, resources);
+            const Features by_itself =
+                derive_features(scene, parse_technique(technique), object, *resources[0].mesh, false, deep);
+            const Features textbook = derive_features(scene, parse_technique(technique + ":power=textbook"), object,
+                                                      *resources[0].mesh, false, deep);
+            EXPECT_EQ(by_itself, textbook) << name << ' ' << technique; // equal features give equal text
+            EXPECT_EQ(assemble(by_itself, parts()).fragment.text, assemble(textbook, parts()).fragment.text);
+            EXPECT_EQ(by_itself, without_guards(by_itself)) << name << ' ' << technique;
+        }
+    }
 }
 
 TEST(ProgramText, FrequenciesPutTheEquationWhereTheySay) {
