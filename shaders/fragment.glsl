@@ -77,5 +77,8 @@ void main()
 #if deep
     // Near and far are too far apart for z / w; gl_FragCoord.w is 1 / distance.
     gl_FragDepth = depth_at_1 - depth_per_octave * log2(gl_FragCoord.w);
+    if (gl_FragDepth < 0.0 || gl_FragDepth > 1.0) {
+        discard; // before near, beyond far: z is too coarse to clip by
+    }
 #endif
 }

@@ -120,11 +120,13 @@ struct Renderer::Impl {
         const auto loaded = resources.load(scene);
         const bool deep = is_deep(scene, loaded);
         clear(scene, target);
+        (deep ? glEnable : glDisable)(GL_DEPTH_CLAMP); // deep programs clip by near and far themselves
         for (std::size_t i = 0; i < scene.objects.size(); ++i) {
             const DrawInput input{scene,           technique,     scene.objects[i],
                                   *loaded[i].mesh, target.size(), static_cast<unsigned>(i + 1)};
             draw_object(input, loaded[i], target, deep, guarded);
         }
+        glDisable(GL_DEPTH_CLAMP);
         glDisable(GL_CULL_FACE);
         glFrontFace(GL_CCW);
         forget_unused();

@@ -38,7 +38,7 @@ Scene facing_the_lights(Scene scene) {
 
 Conditioning::Conditioning(const Scene &scene, const std::vector<ObjectResources> &resources,
                            const Technique &technique, const ReferenceFrame &truth)
-    : truth_(truth), change_(truth.color.size(), 0) {
+    : truth_(truth), change_(truth.color.size(), 0), another_seen_(truth.color.size(), false) {
     const glm::dvec3 &eye = scene.camera.position;
     for (int axis = 0; axis < 3; ++axis) {
         for (const double share : {-rounding, rounding}) {
@@ -55,6 +55,13 @@ Conditioning::Conditioning(const Scene &scene, const std::vector<ObjectResources
             note(render_reference(lights, resources, technique, truth.size));
         }
     }
+    double farthest = 1;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        farthest = std::max(farthest, reach(eye, scene.objects[i], *resources[i].mesh));
+    }
+    for (double &change : change_) {
+        change += 0x1p-126 * farthest * std::max(truth.size.width, truth.size.height);
+    }
     note_cosines(
         render_reference(facing_the_lights(scene), resources, parse_technique("per-pixel/lambert"), truth.size));
 }
@@ -69,12 +76,22 @@ void Conditioning::note(const ReferenceFrame &moved) {
     for (std::size_t i = 0; i < change_.size(); ++i) {
         if (moved.object_ids[i] == truth_.object_ids[i]) {
             change_[i] = std::max(change_[i], largest(moved.color[i] - truth_.color[i]));
+        } else {
+            another_seen_[i] = true;
         }
     }
 }
 
 bool Conditioning::compared(std::size_t i) const {
     return truth_.object_ids[i] != 0 && truth_.edge[i] == 0 && truth_.jump[i] == 0;
+}
+
+std::size_t Conditioning::unexplained_silhouettes(const Frame &drawn) const {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < change_.size(); ++i) {
+        count += drawn.object_ids[i] != truth_.object_ids[i] && truth_.edge[i] == 0 && !another_seen_[i] ? 1U : 0U;
+    }
+    return count;
 }
 
 double Conditioning::unexplained(const Frame &drawn) const {

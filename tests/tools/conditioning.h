@@ -12,7 +12,8 @@ namespace sandbox {
 /// What rounding a scene's positions to float32 does to the truth itself: all objects, then all lights, are moved to
 /// and fro along each axis by 2^-22 (four roundings) of how far from the eye they reach. Light that grazes, light from
 /// within the surface and slivers thinner than a pixel magnify that; no formula helps. A cosine's own rounding counts
-/// too: 2^-21 of what the lights would give to a surface that faced them.
+/// too, 2^-21 of what the lights would give to a surface that faced them; and that what is interpolated is colour over
+/// distance per pixel, which float32 ends below 2^-126 of.
 class Conditioning {
   public:
     Conditioning(const Scene &scene, const std::vector<ObjectResources> &resources, const Technique &technique,
@@ -21,13 +22,17 @@ class Conditioning {
     /// The largest error of the compared pixels less what rounding explains of it, as a share of the brightest of them.
     [[nodiscard]] double unexplained(const Frame &drawn) const;
 
+    /// Pixels that show another object than the truth does, moved or not.
+    [[nodiscard]] std::size_t unexplained_silhouettes(const Frame &drawn) const;
+
   private:
     void note(const ReferenceFrame &moved);
     void note_cosines(const ReferenceFrame &facing);
     [[nodiscard]] bool compared(std::size_t pixel) const;
 
     const ReferenceFrame &truth_;
-    std::vector<double> change_; ///< a pixel each: the largest
+    std::vector<double> change_;     ///< a pixel each: the largest
+    std::vector<bool> another_seen_; ///< a pixel each: does some moved truth show another object?
 };
 
 } // namespace sandbox
