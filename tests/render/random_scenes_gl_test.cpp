@@ -1,8 +1,10 @@
+#include "image/image_file.h"
 #include "measure/metrics.h"
 #include "render/renderer.h"
 #include "shading/features.h"
 #include "tools/gl_test.h"
 #include "tools/random_scene.h"
+#include "tools/temporary_folder.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -39,8 +41,38 @@ double brightest(const ReferenceFrame &frame) {
     return most;
 }
 
+/// Every other texel of every other row.
+ByteImage halved(const Image &image) {
+    Image half({image.size.width / 2, image.size.height / 2});
+    for (int y = 0; y < half.size.height; ++y) {
+        for (int x = 0; x < half.size.width; ++x) {
+            half.pixels[half.index(x, y)] = image.pixels[image.index(2 * x, 2 * y)];
+        }
+    }
+    return to_display(half, Display::linear);
+}
+
 class RandomScenes : public GlTest {
   protected:
+    /// Softpipe reads a texture by tiles of 32 x 32 texels, kept in 16 places by (x + 9 y) mod 16. Where four texels
+    /// are filtered that lie in four tiles, at the seam of a repeated 256 x 256 texture two of the tiles have one
+    /// place, and it reads the wrong tile's texel: errors of 3e-3 in one pixel, to the digit what such a cache gives.
+    /// Of 128 x 128 texels no four neighbouring tiles share a place.
+    Scene as_the_driver_can(Scene scene) {
+        if (context().renderer().find("softpipe") == std::string::npos) {
+            return scene;
+        }
+        for (Object &object : scene.objects) {
+            std::string &texture = object.material.texture;
+            if (!texture.empty()) {
+                const std::string bytes = read_file("assets/textures/" + texture);
+                folder_.write(texture, encode_png(halved(decode_image(bytes, texture))));
+                texture = folder_.path() / texture;
+            }
+        }
+        return scene;
+    }
+
     /// Returns the largest difference as a share of its bound: 2e-5 + 4e-7 n as everywhere, 3e-5 more for colours that
     /// are interpolated over slivers (truth_gl_test.cpp), all relative to the brightest pixel where that is above 1.
     double expect_truth(const Scene &scene, const Technique &technique, const std::string &name) {
@@ -55,6 +87,7 @@ class RandomScenes : public GlTest {
         return metrics.norms.max_abs / bound;
     }
 
+    TemporaryFolder folder_;
     std::size_t compared_ = 0;
     std::size_t left_out_ = 0;
     Renderer renderer_{Assets("assets"), ShaderParts(Assets("shaders"))};
@@ -69,7 +102,7 @@ TEST_F(RandomScenes, DrawWhatTheTruthDraws) {
         if (only != nullptr && std::atoi(only) != static_cast<int>(seed)) {
             continue;
         }
-        const Scene scene = random_scene(seed);
+        const Scene scene = as_the_driver_can(random_scene(seed));
         for (unsigned i = 0; i < techniques_a_scene; ++i) {
             const Technique technique = random_technique(1000 * seed + i);
             const std::string name = "SANDBOX_SEED=" + std::to_string(seed) + " " + to_string(technique);
@@ -87,7 +120,7 @@ TEST_F(RandomScenes, DrawWhatTheTruthDraws) {
 
 /// Nothing but a highlight is left for hybrid to compute, on a texture that must not tint it.
 TEST_F(RandomScenes, AHighlightAloneUnderHybridIsNotTinted) {
-    const Scene scene = random_scene(51);
+    const Scene scene = as_the_driver_can(random_scene(51));
     expect_truth(scene, parse_technique("hybrid/blinn-phong"), "random scene 51, hybrid/blinn-phong");
     expect_truth(scene, parse_technique("hybrid/phong"), "random scene 51, hybrid/phong");
 }
