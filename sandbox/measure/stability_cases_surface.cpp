@@ -146,7 +146,7 @@ std::vector<StabilityCase> transform_cases() {
              "det = 0: there is no inverse; the cofactor matrix still has the plane's normal.",
              "planar shadows by a scale of 0")
         .techniques = all_frequencies();
-    Scene tall = ball({1, 3000, 1e-5});
+    Scene tall = ball({1, 3, 1e-5});
     tall.objects[0].mesh = TorusShape{1, 0.4, 24, 12};
     tall.lights = {directional_light({0.3, 0.2, 1})};
     tall.lights[0].ambient = 0.2;
