@@ -3,6 +3,7 @@
 #include "image/text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace sandbox {
@@ -19,7 +20,7 @@ void darken(ByteImage &picture, int rows) {
     const std::size_t end = 3 * static_cast<std::size_t>(picture.size.width) *
                             static_cast<std::size_t>(std::min(rows, picture.size.height));
     std::transform(picture.rgb.begin(), picture.rgb.begin() + static_cast<std::ptrdiff_t>(end), picture.rgb.begin(),
-                   [](std::uint8_t v) { return static_cast<std::uint8_t>(v * darkening + 0.5); });
+                   [](std::uint8_t v) { return static_cast<std::uint8_t>(std::lround(v * darkening)); });
 }
 
 struct FittedText {

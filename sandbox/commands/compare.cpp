@@ -101,7 +101,7 @@ std::string human_table(const nlohmann::ordered_json &figures) {
                                  : value.is_null()       ? "infinite"
                                  : value.is_string()     ? value.get<std::string>()
                                                          : value.dump();
-        table += key + std::string(22 - key.size(), ' ') + text + "\n";
+        table.append(key).append(22 - key.size(), ' ').append(text).append("\n");
     }
     return table;
 }

@@ -31,7 +31,7 @@ struct LightFeatures {
     bool exponent = false;          ///< some spot exponent is not 0
     bool no_exponent = false;       ///< ... and some are 0
     bool stable_exponent = false;
-    auto operator<=>(const LightFeatures &) const = default;
+    auto operator<=>(const LightFeatures &) const = default; // NOLINT(modernize-use-nullptr): version 14 errs
 
     [[nodiscard]] bool attenuated() const { return constant || linear || quadratic; }
 };
@@ -66,7 +66,7 @@ struct Features {
     bool wide = false; ///< positions are found from the pixel, not interpolated
     bool deep = false; ///< depth is stored as a logarithm
     bool object_ids = false;
-    auto operator<=>(const Features &) const = default;
+    auto operator<=>(const Features &) const = default; // NOLINT(modernize-use-nullptr): version 14 errs
 
     [[nodiscard]] bool specular() const { return directional.specular || point.specular || spot.specular; }
     [[nodiscard]] bool diffuse() const { return directional.diffuse || point.diffuse || spot.diffuse; }

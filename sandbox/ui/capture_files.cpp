@@ -68,7 +68,7 @@ PictureOptions picture_options(const Session &session, Size each) {
 
 fs::path free_name(const fs::path &folder, const std::string &name) {
     for (int number = 1; number < 100000; ++number) {
-        const fs::path path = folder / numbered(name, number, ".png");
+        fs::path path = folder / numbered(name, number, ".png");
         if (!fs::exists(path) && !fs::exists(sidecar_path(path))) {
             return path;
         }
@@ -78,7 +78,7 @@ fs::path free_name(const fs::path &folder, const std::string &name) {
 
 fs::path new_folder(const fs::path &folder, const std::string &name) {
     for (int number = 1; number < 100000; ++number) {
-        const fs::path path = folder / numbered(name, number, "");
+        fs::path path = folder / numbered(name, number, "");
         std::error_code error;
         if (fs::create_directory(path, error)) {
             return path;

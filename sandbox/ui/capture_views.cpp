@@ -19,7 +19,7 @@ std::filesystem::path capture_views(const Session &session, ViewPainter &painter
         [&](const Scene &s, const Technique &technique, Size size) {
             return textbook_picture(s, renderer.resources().load(s), technique, size).color;
         });
-    const std::filesystem::path path = free_name(capture_folder(), session.document.opened->name);
+    std::filesystem::path path = free_name(capture_folder(), session.document.opened->name);
     write_file(path, encode_png(show_picture(linear, options)));
     write_file(sidecar_path(path), sidecar_text(scene, options, by));
     return path;

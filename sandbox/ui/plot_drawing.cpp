@@ -71,7 +71,8 @@ bool is_decade(const std::string &label) {
 std::vector<PlotTick> labelled(const std::vector<PlotTick> &ticks) {
     std::vector<PlotTick> kept;
     std::ranges::copy_if(ticks, std::back_inserter(kept), [](const PlotTick &tick) { return !tick.label.empty(); });
-    std::ranges::stable_partition(kept, [](const PlotTick &tick) { return is_decade(tick.label); });
+    // not of std::ranges: Clang 14 cannot compile the subrange that it returns
+    std::stable_partition(kept.begin(), kept.end(), [](const PlotTick &tick) { return is_decade(tick.label); });
     return kept;
 }
 
@@ -133,6 +134,7 @@ void draw_guide_labels(const Canvas &canvas) {
 
 void draw_path(const Canvas &canvas, const std::vector<PlacedPoint> &points, ImU32 color, float width) {
     std::vector<ImVec2> path;
+    path.reserve(points.size());
     for (const PlacedPoint &point : points) {
         path.push_back(canvas.at(point.x, point.y));
     }

@@ -6,7 +6,7 @@
 namespace sandbox {
 
 std::filesystem::path write_report(const ReportRun &run, const std::string &name) {
-    const std::filesystem::path folder = std::filesystem::absolute(new_folder(capture_folder(), name + "-report"));
+    std::filesystem::path folder = std::filesystem::absolute(new_folder(capture_folder(), name + "-report"));
     write_file(folder / "report.html", report_html({run}));
     write_file(folder / "report.json", report_json({run}));
     write_file(folder / "report.csv", report_csv({run}));

@@ -48,6 +48,7 @@ void failed_rows(const StabilityResult &result) {
 }
 
 ImTextureID texture_id(const DisplayTexture &picture) {
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): the OpenGL backend takes a texture's name as a pointer
     return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(picture.texture()));
 }
 

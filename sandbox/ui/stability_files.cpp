@@ -6,7 +6,7 @@
 namespace sandbox {
 
 std::filesystem::path write_stability(const StabilityRun &run) {
-    const std::filesystem::path folder = std::filesystem::absolute(new_folder(capture_folder(), "stability"));
+    std::filesystem::path folder = std::filesystem::absolute(new_folder(capture_folder(), "stability"));
     write_file(folder / "stability.html", stability_html(run));
     write_file(folder / "stability.json", stability_json(run));
     write_file(folder / "stability.csv", stability_csv(run));

@@ -49,7 +49,8 @@ Size pixels_of(const Rect &rect) {
 }
 
 ImTextureID texture_id(unsigned texture) {
-    return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(texture)); // what the OpenGL backend takes
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): the OpenGL backend takes a texture's name as a pointer
+    return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(texture));
 }
 
 /// Part of a picture, from share `from` to share `to` of its width.
@@ -137,7 +138,7 @@ void draw_figures(const PaintedView &view, const Rect &rect, float y, bool align
     const float gap = ImGui::GetFontSize();
     Rect beside = rect; // the time keeps its place
     (align_right ? beside.high.x : beside.low.x) +=
-        (align_right ? -1 : 1) * (ImGui::CalcTextSize(time.c_str()).x + gap);
+        (align_right ? -1.0F : 1.0F) * (ImGui::CalcTextSize(time.c_str()).x + gap);
     draw_text_line(beside, y, error_text(), wrong, align_right);
 }
 
