@@ -19,6 +19,7 @@ std::string verdict_text(Verdict verdict, const StabilityRow &row) {
 
 std::vector<ListedCase> list_cases(std::vector<StabilityCase> cases) {
     std::vector<ListedCase> list;
+    list.reserve(cases.size());
     for (StabilityCase &one : cases) {
         list.push_back({std::move(one), std::nullopt});
     }
