@@ -161,15 +161,13 @@ void add_compare(CLI::App &app, CommonOptions &common, Run &run) {
     command->add_flag("--json", flags->json, "As JSON; infinite figures are null");
     command->add_option("--max-abs", flags->max_abs, "Exit 1 if max_abs is above this")->type_name("X");
     command->footer(
-        "reference: the left model, per-pixel, every fault off, in double; keys change that (frequency and model "
-        "too).\n"
-        "Compared are the pixels where both show the same object, but for those at an edge between triangles or a "
-        "jump\n"
-        "of the equation in the reference (counted apart), in linear RGB. psnr has peak 1, null where nothing "
-        "differs;\n"
-        "flip is of the whole picture in 8 bits. A picture with a pixel that is not finite has infinite errors.\n"
-        "worst_pixel is where max_abs is; worst_pixel_rounding, how far the reference's colour moves there when\n"
-        "float32 rounds the triangle's place in the window, which no float32 renderer can promise to beat.");
+        "reference: the left model, per-pixel, every fault off, in double; keys change that (frequency and\n"
+        "model too). Compared are the pixels where both show the same object, but for those at an edge between\n"
+        "triangles or a jump of the equation in the reference (counted apart), in linear RGB. psnr has peak 1,\n"
+        "null where nothing differs; flip is of the whole picture in 8 bits. A picture with a pixel that is not\n"
+        "finite has infinite errors. worst_pixel is where max_abs is, or the first pixel that is not finite;\n"
+        "worst_pixel_rounding, how far the reference's colour moves there when float32 rounds the triangle's\n"
+        "place in the window, which no float32 renderer can promise to beat.");
     add_common_options(*command, common);
     command->callback([flags, &common, &run] { run = [flags, &common] { return run_compare(*flags, common); }; });
 }

@@ -127,13 +127,11 @@ void add_report(CLI::App &app, CommonOptions &common, Run &run) {
                      "without SCENE, beside each other")
         ->type_name("A.json B.json");
     command->footer(
-        "Every frequency and model on a ladder of tessellations (8 to 512 rings; --quick 8 to 64), variants on the\n"
-        "scene's own meshes, each judged against the double-precision truth and timed in turns, after 4 rounds that\n"
-        "are dropped. The clock is the GPU's timer where a long draw has shown that it agrees with the wall clock, "
-        "else\n"
-        "the wall clock around draw and glFinish. Ctrl-C stops the measuring and writes what there is (exit code "
-        "130);\n"
-        "a second one ends at once.");
+        "Every frequency and model on a ladder of tessellations (8 to 512 rings; --quick 8 to 64), variants on\n"
+        "the scene's own meshes, each judged against the double-precision truth and timed in turns, after 4\n"
+        "rounds that are dropped. The clock is the GPU's timer where a long draw has shown that it agrees with\n"
+        "the wall clock, else the wall clock around draw and glFinish. Ctrl-C stops the measuring and writes\n"
+        "what there is (exit code 130); a second one ends at once.");
     add_common_options(*command, common);
     command->callback([flags, &common, &run] { run = [flags, &common] { return run_report(*flags, common); }; });
 }

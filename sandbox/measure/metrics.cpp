@@ -98,8 +98,8 @@ std::vector<std::size_t> compared_pixels(const Reading &left, const Reading &rig
     std::vector<std::size_t> compared;
     compared.reserve(left.pixels());
     for (std::size_t i = 0; i < left.pixels(); ++i) {
-        if (!finite(left.color(i)) || !finite(right.color(i))) {
-            ++metrics.nonfinite_pixels;
+        if ((!finite(left.color(i)) || !finite(right.color(i))) && metrics.nonfinite_pixels++ == 0) {
+            metrics.worst_pixel = i;
         }
         if (left.id(i) != right.id(i)) {
             ++metrics.silhouette_pixels;
@@ -130,8 +130,7 @@ std::size_t worst_of(const Reading &left, const Reading &right, const std::vecto
         const glm::dvec3 difference = glm::abs(left.color(i) - right.color(i));
         return std::max({difference.x, difference.y, difference.z});
     };
-    const auto less = [&](std::size_t a, std::size_t b) { return error(a) < error(b); };
-    return compared.empty() ? 0 : *std::max_element(compared.begin(), compared.end(), less);
+    return compared.empty() ? 0 : *std::ranges::max_element(compared, {}, error);
 }
 
 /// max_levels, differing_share and flip: what 8 bits and the eye see.
@@ -157,8 +156,12 @@ Metrics compare_views(const Reading &left, const Reading &right, Flip flip) {
     require_alike(left, right);
     Metrics metrics;
     const std::vector<std::size_t> compared = compared_pixels(left, right, metrics);
-    metrics.norms = metrics.nonfinite_pixels > 0 ? not_finite : norms_of(left, right, compared);
-    metrics.worst_pixel = worst_of(left, right, compared);
+    if (metrics.nonfinite_pixels > 0) {
+        metrics.norms = not_finite;
+    } else {
+        metrics.norms = norms_of(left, right, compared);
+        metrics.worst_pixel = worst_of(left, right, compared);
+    }
     if (metrics.norms.rmse > 0) {
         metrics.psnr = -20 * std::log10(metrics.norms.rmse);
     }

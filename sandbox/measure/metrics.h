@@ -27,11 +27,12 @@ struct Metrics {
     std::size_t edge_pixels = 0;       ///< same object, at an edge (ReferenceFrame::edge)
     std::size_t jump_pixels = 0;       ///< same object, not at an edge, at a jump (ReferenceFrame::jump)
     Norms norms;
-    std::size_t worst_pixel = 0; ///< where max_abs is: y * width + x, row 0 at the top; 0 if nothing was compared
-    std::optional<double> psnr;  ///< dB, peak 1; none for identical pictures; -infinity if not finite
-    int max_levels = 0;          ///< largest difference of the compared pixels in 8 bits, linear display
-    double differing_share = 0;  ///< share of the compared pixels that differ by a level or more
-    double flip = 0;             ///< mean LDR FLIP of the whole pictures in 8 bits, linear display
+    /// Where max_abs is, else the first that is not finite: y * width + x, row 0 at the top; 0 if nothing was compared.
+    std::size_t worst_pixel = 0;
+    std::optional<double> psnr; ///< dB, peak 1; none for identical pictures; -infinity if not finite
+    int max_levels = 0;         ///< largest difference of the compared pixels in 8 bits, linear display
+    double differing_share = 0; ///< share of the compared pixels that differ by a level or more
+    double flip = 0;            ///< mean LDR FLIP of the whole pictures in 8 bits, linear display
 };
 
 /// FLIP costs more than all the rest together; left out, it is 0.

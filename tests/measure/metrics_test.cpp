@@ -95,6 +95,7 @@ TEST(Metrics, NonFinitePixelsFailEveryNorm) {
         left.color.pixels[pixel].b = pixel == 0 ? std::numeric_limits<float>::infinity() : not_a_number;
         const Metrics m = compare(left, truth());
         EXPECT_EQ(m.nonfinite_pixels, 1U);
+        EXPECT_EQ(m.worst_pixel, pixel);
         EXPECT_EQ(m.compared_pixels, 7U);
         EXPECT_TRUE(std::isinf(m.norms.rmse) && std::isinf(m.norms.mean_abs));
         EXPECT_TRUE(m.norms.max_abs > 1e300 && m.norms.p99_abs > 1e300);
