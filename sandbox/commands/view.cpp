@@ -34,6 +34,7 @@ int view_scene(const CommonOptions &common, const ViewFlags &flags) {
     options.file.scene = open_scene(common, shown);  // with every --set
     take_technique(options.file.left, "--left", flags.left);
     take_technique(options.file.right, "--right", flags.right);
+    options.file.textbook_left = options.file.textbook_left && !flags.left;
     if (!has_display_server()) {
         throw MachineError("no display server (DISPLAY and WAYLAND_DISPLAY are unset), so no window can open. Use "
                            "`shading-sandbox capture SCENE --out FILE.png` for pictures without a window, or run.sh");
