@@ -9,15 +9,6 @@
 /// the commands and the window hand over theirs, tests may hand over fakes. Both must outlive what is returned.
 namespace sandbox {
 
-/// Draws into `target` and waits until done; milliseconds of the wall clock.
-template <typename Renderer, typename Target>
-double timed_by(Renderer &renderer, Target &target, const Scene &scene, const Technique &technique) {
-    const auto start = std::chrono::steady_clock::now();
-    renderer.draw(scene, technique, target);
-    renderer.finish();
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
 /// Pictures have the size of `target`; frames are timed by `clock` (FrameClock).
 template <typename Renderer, typename Target, typename Clock>
 DrawRows rows_drawn_by(Renderer &renderer, Target &target, Clock &clock) {
@@ -27,16 +18,19 @@ DrawRows rows_drawn_by(Renderer &renderer, Target &target, Clock &clock) {
         [&](const Scene &s, const Technique &t) { return clock.milliseconds([&] { renderer.draw(s, t, target); }); }};
 }
 
-/// Costs are taken on `target`, which should have stability_timed_size.
+/// Costs are taken on `target`, which should have stability_timed_size, by the wall clock.
 template <typename Renderer, typename Target> StabilityDraw cases_drawn_by(Renderer &renderer, Target &target) {
+    const auto timed = [&](const auto &draw) {
+        const auto start = std::chrono::steady_clock::now();
+        draw();
+        renderer.finish();
+        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    };
     return {[&](const Scene &s) { return renderer.resources().load(s); },
             [&](const Scene &s, const Technique &t, Size size) { return renderer.render(s, t, size, true); },
-            [&](const Scene &s, const Technique &t) { return timed_by(renderer, target, s, t); },
-            [&](const Scene &s, const Technique &t) {
-                const auto start = std::chrono::steady_clock::now();
-                renderer.draw_unguarded(s, t, target);
-                renderer.finish();
-                return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+            [&, timed](const Scene &s, const Technique &t) { return timed([&] { renderer.draw(s, t, target); }); },
+            [&, timed](const Scene &s, const Technique &t) {
+                return timed([&] { renderer.draw_unguarded(s, t, target); });
             }};
 }
 
