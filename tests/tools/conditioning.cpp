@@ -14,10 +14,24 @@ constexpr double darkest = 1e-30; ///< below it float32 ends
 
 double largest(const glm::dvec3 &v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-double reach(const glm::dvec3 &eye, const Object &object, const Mesh &mesh) {
+double reach(const Object &object, const Mesh &mesh) {
     const glm::dvec3 middle = linear_part(object.transform) * (0.5 * (mesh.bounds.low + mesh.bounds.high));
     const glm::dvec3 half = 0.5 * (mesh.bounds.high - mesh.bounds.low) * object.transform.scale;
-    return glm::length(middle + (object.transform.translate - eye)) + glm::length(half);
+    return glm::length(middle + object.transform.translate) + glm::length(half);
+}
+
+/// The same picture from the origin, where a double holds the smallest move.
+Scene seen_from_the_origin(Scene scene) {
+    const glm::dvec3 eye = scene.camera.position;
+    scene.camera.position = {};
+    scene.camera.target -= eye;
+    for (Object &object : scene.objects) {
+        object.transform.translate -= eye;
+    }
+    for (Light &light : scene.lights) {
+        light.position -= eye;
+    }
+    return scene;
 }
 
 /// As if N.L and the highlight were 1 everywhere.
@@ -36,28 +50,27 @@ Scene facing_the_lights(Scene scene) {
 
 } // namespace
 
-Conditioning::Conditioning(const Scene &scene, const std::vector<ObjectResources> &resources,
+Conditioning::Conditioning(const Scene &placed, const std::vector<ObjectResources> &resources,
                            const Technique &technique, const ReferenceFrame &truth)
     : truth_(truth), change_(truth.color.size(), 0), another_seen_(truth.color.size(), false) {
-    const glm::dvec3 &eye = scene.camera.position;
+    const Scene scene = seen_from_the_origin(placed);
     for (int axis = 0; axis < 3; ++axis) {
         for (const double share : {-rounding, rounding}) {
             Scene objects = scene;
             for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-                objects.objects[i].transform.translate[axis] +=
-                    share * reach(eye, scene.objects[i], *resources[i].mesh);
+                objects.objects[i].transform.translate[axis] += share * reach(scene.objects[i], *resources[i].mesh);
             }
             note(render_reference(objects, resources, technique, truth.size));
             Scene lights = scene;
             for (Light &light : lights.lights) {
-                light.position[axis] += share * glm::length(light.position - eye);
+                light.position[axis] += share * glm::length(light.position);
             }
             note(render_reference(lights, resources, technique, truth.size));
         }
     }
     double farthest = 1;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-        farthest = std::max(farthest, reach(eye, scene.objects[i], *resources[i].mesh));
+        farthest = std::max(farthest, reach(scene.objects[i], *resources[i].mesh));
     }
     for (double &change : change_) {
         change += 0x1p-126 * farthest * std::max(truth.size.width, truth.size.height);
@@ -102,7 +115,7 @@ double Conditioning::unexplained(const Frame &drawn) const {
             continue;
         }
         brightest = std::max(brightest, largest(truth_.color[i]));
-        if (drawn.object_ids[i] == truth_.object_ids[i]) {
+        if (drawn.object_ids[i] == truth_.object_ids[i] && !another_seen_[i]) {
             most = std::max(most, largest(glm::dvec3(drawn.color.pixels[i]) - truth_.color[i]) - change_[i]);
         }
     }
