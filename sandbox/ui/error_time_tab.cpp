@@ -1,9 +1,9 @@
 #include "ui/tab_content.h"
 
 #include "ui/error_time_view.h"
+#include "ui/exported_files.h"
 #include "ui/job_progress.h"
 #include "ui/measured_rows.h"
-#include "ui/report_files.h"
 #include "ui/report_job.h"
 #include "ui/theme.h"
 #include "ui/widgets.h"
@@ -84,7 +84,7 @@ void ErrorTimeTab::show_measured_model(const WorkPrecision &measured, Model wish
 
 void ErrorTimeTab::write_files(Session &session) const {
     try {
-        session.message = {"Exported to " + write_report(*run_, name_).string(), false};
+        session.message = {"Exported to " + export_report(*run_, name_).string(), false};
     } catch (const std::exception &error) {
         session.message = {std::string("Not exported: ") + error.what(), true};
     }

@@ -2,9 +2,9 @@
 
 #include "measure/report.h"
 #include "reference/reference.h"
+#include "ui/exported_files.h"
 #include "ui/job_progress.h"
 #include "ui/stability_details.h"
-#include "ui/stability_files.h"
 #include "ui/stability_job.h"
 #include "ui/stability_table.h"
 #include "ui/theme.h"
@@ -133,7 +133,7 @@ void StabilityTab::go_back(Session &session) {
 void StabilityTab::export_files(Session &session) const {
     try {
         const StabilityRun run{results_of(cases_), supplies_.by.renderer, SANDBOX_VERSION};
-        const std::string folder = write_stability(run).string();
+        const std::string folder = export_stability(run).string();
         const std::string part =
             run.results.size() < cases_.size() ? "The cases that were run, exported to " : "Exported to ";
         session.message = {part + folder, false};

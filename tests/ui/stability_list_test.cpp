@@ -1,8 +1,9 @@
+#include "ui/stability_list.h"
+
 #include "image/image_file.h"
 #include "tools/temporary_folder.h"
+#include "ui/exported_files.h"
 #include "ui/session.h"
-#include "ui/stability_files.h"
-#include "ui/stability_list.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -135,14 +136,14 @@ TEST(StabilityList, UndoBringsBackWhatWasOpen) {
     EXPECT_EQ(session.document, before);
 }
 
-TEST(StabilityFiles, AreThoseOfTheCommand) {
+TEST(ExportedFiles, AreThoseOfTheCommand) {
     const TemporaryFolder folder;
     const auto old = std::filesystem::current_path();
     std::filesystem::current_path(folder.path());
     const StabilityCase of = plain_case("spot", "a");
     const StabilityRun run{{*judged(of, row(1, false), row(0, true), row(0, true)).result}, "soft", "1.2"};
-    const auto first = write_stability(run);
-    const auto second = write_stability(run);
+    const auto first = export_stability(run);
+    const auto second = export_stability(run);
     std::filesystem::current_path(old);
     EXPECT_EQ(first.filename(), "stability-001");
     EXPECT_EQ(second.filename(), "stability-002");
