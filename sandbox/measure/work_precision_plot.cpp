@@ -38,6 +38,10 @@ std::vector<std::string> plotted_names() {
     return names;
 }
 
+int series_style(Frequency frequency) {
+    return static_cast<int>(std::ranges::find(plotted_frequencies, frequency) - plotted_frequencies);
+}
+
 PlotRequest error_time_plot(const WorkPrecision &m, Model model, ErrorNorm norm) {
     PlotRequest plot;
     plot.title =

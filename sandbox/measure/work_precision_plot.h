@@ -13,6 +13,7 @@ namespace sandbox {
 constexpr Frequency plotted_frequencies[]{Frequency::flat, Frequency::per_vertex, Frequency::per_pixel,
                                           Frequency::interpolated_vectors, Frequency::hybrid};
 std::vector<std::string> plotted_names();
+int series_style(Frequency frequency);
 
 /// The base rows of one model: one line a frequency, coarse meshes first, with the front and the tolerances. A point's
 /// tag is its row.

@@ -5,8 +5,6 @@
 #include "ui/theme.h"
 #include "ui/widgets.h"
 
-#include <algorithm>
-
 namespace sandbox {
 
 namespace {
@@ -19,9 +17,9 @@ void technique_cell(Session &session, const WorkPrecision &measured, std::size_t
     const PlannedRow &plan = measured.rows[row].plan;
     const float em = ImGui::GetFontSize();
     const ImVec2 at = ImGui::GetCursorScreenPos();
-    const auto style = std::ranges::find(plotted_frequencies, plan.technique.frequency) - plotted_frequencies;
-    draw_marker(*ImGui::GetWindowDrawList(), {at.x + em * 0.5F, at.y + em * 0.55F}, em * 0.3F, static_cast<int>(style),
-                ImGui::GetColorU32(series_color(static_cast<int>(style))));
+    const int style = series_style(plan.technique.frequency);
+    draw_marker(*ImGui::GetWindowDrawList(), {at.x + em * 0.5F, at.y + em * 0.55F}, em * 0.3F, style,
+                ImGui::GetColorU32(series_color(style)));
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + em * 1.2F);
     const std::string name =
         std::string(name_of(plan.technique.frequency)) + ", " + short_mesh(measured.meshes[plan.mesh]);

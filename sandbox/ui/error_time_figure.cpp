@@ -50,13 +50,10 @@ void tooltip(const WorkPrecision &measured, std::size_t row, float middle) {
                             {to_left ? 1.0F : 0.0F, 1.0F});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ImGui::GetFontSize() * 0.6F, ImGui::GetFontSize() * 0.4F));
     ImGui::BeginTooltip();
-    const Frequency frequency = measured.rows[row].plan.technique.frequency;
-    const auto style = std::ranges::find(plotted_frequencies, frequency) - plotted_frequencies;
-    bool first = true;
+    ImVec4 color = series_color(series_style(measured.rows[row].plan.technique.frequency));
     for (const std::string &line : row_lines(measured, row)) {
-        ImGui::TextColored(first ? series_color(static_cast<int>(style)) : ImGui::GetStyleColorVec4(ImGuiCol_Text),
-                           "%s", line.c_str());
-        first = false;
+        ImGui::TextColored(color, "%s", line.c_str());
+        color = ImGui::GetStyleColorVec4(ImGuiCol_Text); // after the first, the technique
     }
     ImGui::EndTooltip();
     ImGui::PopStyleVar();

@@ -117,11 +117,10 @@ void ErrorTimeTab::controls(Session &session) {
 /// How the numbers were taken.
 void ErrorTimeTab::facts() const {
     const WorkPrecision &m = run_->measured;
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextColored(quiet_text(), "%s, %dx%d, medians of %zu rounds: %s, on %s.", name_.c_str(),
-                       m.options.size.width, m.options.size.height, complete_rounds(m), run_->machine.clock.c_str(),
-                       run_->machine.renderer.c_str());
-    ImGui::PopTextWrapPos();
+    wrapped_text(quiet_text(), name_ + ", " + std::to_string(m.options.size.width) + "x" +
+                                   std::to_string(m.options.size.height) + ", medians of " +
+                                   std::to_string(complete_rounds(m)) + " rounds: " + run_->machine.clock + ", on " +
+                                   run_->machine.renderer + ".");
 }
 
 void ErrorTimeTab::findings(Session &session) {
@@ -157,19 +156,14 @@ void ErrorTimeTab::draw(Session &session, ViewPainter &, const Fonts &) {
         controls(session);
     }
     if (!failure_.empty()) {
-        ImGui::PushTextWrapPos(0);
-        ImGui::TextColored(error_text(), "%s", failure_.c_str());
-        ImGui::PopTextWrapPos();
+        wrapped_text(error_text(), failure_);
     }
     if (run_) {
         findings(session);
     } else {
-        ImGui::PushTextWrapPos(0);
-        ImGui::TextColored(quiet_text(),
-                           "Run draws every technique on meshes from coarse to fine, compares each picture "
-                           "with the truth in double precision, and takes its time, on %s.",
-                           supplies_.by.renderer.c_str());
-        ImGui::PopTextWrapPos();
+        wrapped_text(quiet_text(), "Run draws every technique on meshes from coarse to fine, compares each picture "
+                                   "with the truth in double precision, and takes its time, on " +
+                                       supplies_.by.renderer + ".");
     }
 }
 

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <imgui.h>
 
 namespace sandbox {
@@ -19,9 +18,7 @@ constexpr float loupe_share = 1.0F / 6; // of the picture's width that the loupe
 void story_line(const char *name, const std::string &text) {
     ImGui::TextColored(quiet_text(), "%s", name);
     ImGui::SameLine(ImGui::GetFontSize() * 5);
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(text.c_str());
-    ImGui::PopTextWrapPos();
+    wrapped_text(ImGui::GetStyleColorVec4(ImGuiCol_Text), text);
 }
 
 std::string bound_text(const StabilityCase &of) {
@@ -38,18 +35,10 @@ const char *left_text(const StabilityCase &of) {
 void failed_rows(const StabilityResult &result) {
     for (const StabilityRow &row : result.rows) {
         if (!row.passed) {
-            ImGui::PushTextWrapPos(0);
-            ImGui::TextColored(error_text(), "%s: error %s, %lld of its pixels not finite",
-                               to_string(row.technique).c_str(), short_number(row.error).c_str(),
-                               static_cast<long long>(row.metrics.nonfinite_pixels));
-            ImGui::PopTextWrapPos();
+            wrapped_text(error_text(), to_string(row.technique) + ": error " + short_number(row.error) + ", " +
+                                           std::to_string(row.metrics.nonfinite_pixels) + " of its pixels not finite");
         }
     }
-}
-
-ImTextureID texture_id(const DisplayTexture &picture) {
-    // NOLINTNEXTLINE(performance-no-int-to-ptr): the OpenGL backend takes a texture's name as a pointer
-    return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(picture.texture()));
 }
 
 /// Around the mouse, larger: one wrong pixel is easily missed.
@@ -63,7 +52,7 @@ void loupe(const DisplayTexture &picture) {
     const float side = ImGui::GetFontSize() * 12;
     constexpr float half = loupe_share / 2;
     ImGui::BeginTooltip();
-    ImGui::Image(texture_id(picture), {side, side}, {u - half, v + half}, {u + half, v - half});
+    ImGui::Image(texture_id(picture.texture()), {side, side}, {u - half, v + half}, {u + half, v - half});
     ImGui::EndTooltip();
 }
 
@@ -79,7 +68,8 @@ Caption caption(const char *form, Verdict verdict, const StabilityRow &row) {
 void picture(const DisplayTexture &shown, const Caption &caption, float side) {
     ImGui::BeginGroup();
     const ImVec4 plain(1, 1, 1, 1);
-    ImGui::Image(texture_id(shown), {side, side}, {0, 1}, {1, 0}, plain, ImGui::GetStyleColorVec4(ImGuiCol_Border));
+    ImGui::Image(texture_id(shown.texture()), {side, side}, {0, 1}, {1, 0}, plain,
+                 ImGui::GetStyleColorVec4(ImGuiCol_Border));
     if (ImGui::IsItemHovered()) {
         loupe(shown);
     }
@@ -96,7 +86,8 @@ float picture_side(float room, int width) {
 
 } // namespace
 
-void StabilityDetails::pictures(const StabilityResult &result) {
+void StabilityDetails::pictures(const ListedCase &one) {
+    const StabilityResult &result = *one.result;
     const std::array<const ByteImage *, 3> images{&result.textbook_image, &result.robust_image,
                                                   &result.reference_image};
     for (std::size_t i = 0; i < images.size(); ++i) {
@@ -104,10 +95,8 @@ void StabilityDetails::pictures(const StabilityResult &result) {
             pictures_[i].emplace(*images[i]);
         }
     }
-    const Verdict robust = result.passed() ? Verdict::holds : Verdict::breaks;
-    const Verdict textbook = result.textbook.passed ? Verdict::holds : Verdict::breaks;
-    const std::array<Caption, 3> captions{caption("textbook", textbook, result.textbook),
-                                          caption("robust", robust, result.worst()),
+    const std::array<Caption, 3> captions{caption("textbook", textbook_verdict(one), result.textbook),
+                                          caption("robust", robust_verdict(one), result.worst()),
                                           Caption{"reference", "in double", ImGui::GetStyleColorVec4(ImGuiCol_Text)}};
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float room = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3 - 2; // less the border
@@ -124,13 +113,11 @@ void StabilityDetails::draw(const ListedCase &one) {
     const StabilityCase &of = one.of;
     ImGui::TextUnformatted(of.name.c_str());
     if (one.result) {
-        pictures(*one.result);
+        pictures(one);
         failed_rows(*one.result);
     } else {
-        ImGui::PushTextWrapPos(0);
-        ImGui::TextColored(quiet_text(), "Not run yet: \"Run this case\" shows textbook, robust and reference beside "
-                                         "each other, and judges them.");
-        ImGui::PopTextWrapPos();
+        wrapped_text(quiet_text(), "Not run yet: \"Run this case\" shows textbook, robust and reference beside each "
+                                   "other, and judges them.");
     }
     story_line("Symptom", of.symptom);
     story_line("Cause", of.cause);

@@ -17,7 +17,7 @@ class StabilityDetails {
     void forget() { pictures_ = {}; }
 
   private:
-    void pictures(const StabilityResult &result);
+    void pictures(const ListedCase &one);
 
     std::array<std::optional<DisplayTexture>, 3> pictures_;
 };

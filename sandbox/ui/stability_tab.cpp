@@ -195,18 +195,15 @@ void StabilityTab::filter_controls(Session &session) {
 
 void StabilityTab::story(ImVec2 size) {
     if (ImGui::BeginChild("story", size)) {
-        ImGui::PushTextWrapPos(0);
         if (std::ranges::none_of(cases_, [this](const ListedCase &one) { return is_shown(one, filter_); })) {
-            ImGui::TextUnformatted("No case that was run is one of these.");
+            wrapped_text(ImGui::GetStyleColorVec4(ImGuiCol_Text), "No case that was run is one of these.");
         }
-        if (!chosen_) {
-            ImGui::TextColored(quiet_text(), "%s", summary(cases_).c_str());
-            ImGui::TextColored(quiet_text(),
-                               "A click on a case opens it: A as a textbook has it, B as this program draws it.");
-        }
-        ImGui::PopTextWrapPos();
         if (chosen_) {
             details_.draw(cases_[*chosen_]);
+        } else {
+            wrapped_text(quiet_text(), summary(cases_));
+            wrapped_text(quiet_text(),
+                         "A click on a case opens it: A as a textbook has it, B as this program draws it.");
         }
     }
     ImGui::EndChild();
@@ -220,9 +217,7 @@ void StabilityTab::draw(Session &session, ViewPainter &painter, const Fonts &) {
         filter_controls(session);
     }
     if (!failure_.empty()) {
-        ImGui::PushTextWrapPos(0);
-        ImGui::TextColored(error_text(), "%s", failure_.c_str());
-        ImGui::PopTextWrapPos();
+        wrapped_text(error_text(), failure_);
     }
     const float em = ImGui::GetFontSize();
     const ImVec2 gap = ImGui::GetStyle().ItemSpacing;

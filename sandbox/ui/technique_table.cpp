@@ -47,15 +47,6 @@ bool set_somewhere(const Session &session, const TechniqueKey &key, int value) {
     return key.get(session.document.left) == value || key.get(session.document.right) == value;
 }
 
-/// Under a fault that is on: what it does to the picture.
-void look_for_line(const char *text) {
-    ImGui::PushStyleColor(ImGuiCol_Text, quiet_text());
-    ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(text);
-    ImGui::PopTextWrapPos();
-    ImGui::PopStyleColor();
-}
-
 } // namespace
 
 bool begin_technique_table(const char *id) {
@@ -93,7 +84,7 @@ void technique_row(Session &session, const TechniqueKey &key, int value, bool sq
     const std::string look_for(key.values[static_cast<std::size_t>(value)].look_for);
     hint_for_item(session, std::string(key.name) + ": " + look_for + ".");
     if (square && set_somewhere(session, key, value)) {
-        look_for_line(look_for.c_str());
+        wrapped_text(quiet_text(), look_for); // the fault is on
     }
     for (const bool right : {false, true}) {
         ImGui::TableSetColumnIndex(right ? 2 : 1);

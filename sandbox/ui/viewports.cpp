@@ -4,10 +4,10 @@
 #include "ui/difference_scale.h"
 #include "ui/theme.h"
 #include "ui/view_mouse.h"
+#include "ui/widgets.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <cstdio>
 #include <imgui.h>
 #include <string>
@@ -46,11 +46,6 @@ Size pixels_of(const Rect &rect) {
     const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale; // larger than 1 on dense screens
     const auto pixels = [](float length) { return std::clamp(static_cast<int>(std::lround(length)), 1, 8192); };
     return {pixels(rect.width() * scale.x), pixels(rect.height() * scale.y)};
-}
-
-ImTextureID texture_id(unsigned texture) {
-    // NOLINTNEXTLINE(performance-no-int-to-ptr): the OpenGL backend takes a texture's name as a pointer
-    return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(texture));
 }
 
 /// Part of a picture, from share `from` to share `to` of its width.

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
-#include <imgui.h>
 
 namespace sandbox {
 
@@ -81,6 +81,17 @@ void row_label(const char *label) {
 void heading(const char *text) {
     ImGui::Spacing();
     ImGui::TextColored(quiet_text(), "%s", text);
+}
+
+void wrapped_text(const ImVec4 &color, const std::string &text) {
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextColored(color, "%s", text.c_str());
+    ImGui::PopTextWrapPos();
+}
+
+ImTextureID texture_id(unsigned texture) {
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): the OpenGL backend takes a texture's name as a pointer
+    return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(texture));
 }
 
 void same_line_if_fits(float width) {

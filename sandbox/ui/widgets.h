@@ -4,6 +4,7 @@
 #include "ui/session.h"
 
 #include <glm/vec3.hpp>
+#include <imgui.h>
 #include <span>
 #include <string>
 
@@ -30,6 +31,10 @@ void hint_for_item(Session &session, const std::string &what);
 void row_label(const char *label);
 /// A short heading inside a panel.
 void heading(const char *text);
+/// In lines no wider than the window.
+void wrapped_text(const ImVec4 &color, const std::string &text);
+/// An OpenGL texture's name as ImGui takes it.
+ImTextureID texture_id(unsigned texture);
 /// The next item on the same line if `width` still fits, else on the next one.
 void same_line_if_fits(float width);
 /// A button that stays pressed while `on`; true when clicked.
