@@ -144,7 +144,7 @@ TEST_F(FormulaProbes, CheckerColor) {
     });
     ProbeTable table("checker_color", 1e-7); // a colour is one of two, rounded to float32
     for (std::size_t i = 0; i < inputs.size(); ++i) {
-        const glm::dvec3 p(glm::vec3(inputs[i][0]));
+        const glm::dvec3 p{glm::vec3(inputs[i][0])};
         const glm::dvec3 cells = reference::checker_coordinates(checker, half, p);
         bool border = false; // within 4 units of float32 of a border between cells
         for (int axis = 0; axis < 3; ++axis) {
@@ -172,7 +172,7 @@ TEST_F(FormulaProbes, SrgbCurve) {
     // pow: 2e-6 at most on Mesa (log2 and exp2 by polynomials); the curve's two arms differ by 3e-8 where they meet.
     ProbeTable table("srgb_curve", 2e-6);
     for (std::size_t i = 0; i < inputs.size(); ++i) {
-        const glm::dvec3 x(glm::vec3(inputs[i][0]));
+        const glm::dvec3 x{glm::vec3(inputs[i][0])};
         table.compare(got[i], {curve(x.x), curve(x.y), curve(x.z)}, inputs[i]);
     }
 }
