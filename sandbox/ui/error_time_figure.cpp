@@ -96,7 +96,7 @@ void error_time_figure(Session &session, const WorkPrecision &measured, const Er
     warning(measured, session.document.scene, {corner.x + static_cast<float>(layout.right), corner.y});
     for (const bool right : {false, true}) {
         if (const auto row = shown_row(measured, session.document, right)) {
-            draw_ring(layout, corner, *row, side_color(right), right ? "B" : "A");
+            draw_ring(layout, corner, *row, right);
         }
     }
     if (hovered) {

@@ -196,17 +196,17 @@ void draw_plot(const PlotRequest &request, const PlotLayout &layout, ImVec2 corn
     }
 }
 
-void draw_ring(const PlotLayout &layout, ImVec2 corner, std::size_t tag, ImVec4 color, const char *letter) {
+void draw_ring(const PlotLayout &layout, ImVec2 corner, std::size_t tag, bool right) {
     const Canvas canvas(layout, corner);
     const float em = ImGui::GetFontSize();
     for (const PlacedSeries &series : layout.series) {
         const auto point = std::ranges::find(series.points, tag, &PlacedPoint::tag);
         if (point != series.points.end()) {
             const ImVec2 at = canvas.at(point->x, point->y);
-            canvas.list().AddCircle(at, em * 0.62F, ImGui::GetColorU32(color), 0, em * 0.14F);
-            const double side = letter[0] == 'A' ? -1 : 1; // both may be at one point
+            canvas.list().AddCircle(at, em * 0.62F, ImGui::GetColorU32(side_color(right)), 0, em * 0.14F);
+            const double side = right ? 1 : -1; // both may be at one point
             canvas.text(point->x + side * static_cast<double>(em) * 0.75, point->y - static_cast<double>(em) * 1.1,
-                        side < 0 ? 1 : 0, color, letter);
+                        right ? 0 : 1, side_color(right), right ? "B" : "A");
         }
     }
 }

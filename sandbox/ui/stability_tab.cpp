@@ -102,8 +102,11 @@ void StabilityTab::settle(Session &session) {
 
 /// Known from a run, else from the reference.
 double exposure_of(const ListedCase &one, ViewPainter &painter) {
-    if (one.result || one.of.unit == ErrorUnit::linear_color) {
-        return one.result ? one.result->exposure : 1;
+    if (one.result) {
+        return one.result->exposure;
+    }
+    if (one.of.unit == ErrorUnit::linear_color) {
+        return 1; // whatever the reference shows, so it need not be drawn
     }
     const Scene &scene = one.of.scene;
     const auto resources = painter.renderer().resources().load(scene);
