@@ -102,6 +102,9 @@ struct StabilityRun {
 std::string stability_html(const StabilityRun &run);
 std::string stability_json(const StabilityRun &run);
 std::string stability_csv(const StabilityRun &run);
+/// What the page and the window say of a bound and a cost: "1.00e-06 of the brightest value", "1.04 times ...".
+std::string bound_words(const StabilityCase &of);
+std::string cost_words(double cost);
 /// The table that the command prints.
 std::string stability_table(const StabilityRun &run);
 

@@ -29,12 +29,6 @@ std::string error_words(const StabilityRow &row) {
     return bad > 0 ? std::to_string(bad) + (bad == 1 ? " pixel" : " pixels") + " not finite" : short_number(row.error);
 }
 
-/// Exactly 1 is no measurement.
-std::string cost_words(double cost) {
-    return cost == 1 ? "none: the textbook's program, fed better numbers"
-                     : short_number(cost) + " times the textbook's run time";
-}
-
 std::string picture(const char *title, const std::string &caption, const ByteImage &image) {
     return std::string("<figure><img alt=\"") + title + "\" src=\"data:image/png;base64," + base64(encode_png(image)) +
            "\"><figcaption><b>" + title + "</b>" + caption + "</figcaption></figure>";
@@ -50,7 +44,7 @@ std::string case_html(const StabilityResult &result) {
     html += picture("Reference", "in double", result.reference_image);
     html += "</div><div><dl><dt>Symptom</dt><dd>" + escaped(of.symptom) + "</dd><dt>Cause</dt><dd>" +
             escaped(of.cause) + "</dd><dt>Met in</dt><dd>" + escaped(of.source) + "</dd><dt>Bound</dt><dd>" +
-            short_number(of.bound) + (of.unit == ErrorUnit::linear_color ? "" : " of the brightest value") + "</dd>";
+            bound_words(of) + "</dd>";
     if (result.cost) {
         html += "<dt>Cost</dt><dd>" + cost_words(*result.cost) + "</dd>";
     }

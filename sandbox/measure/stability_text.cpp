@@ -98,6 +98,16 @@ std::string stability_csv(const StabilityRun &run) {
     return out;
 }
 
+std::string bound_words(const StabilityCase &of) {
+    return short_number(of.bound) + (of.unit == ErrorUnit::linear_color ? "" : " of the brightest value");
+}
+
+/// Exactly 1 is no measurement.
+std::string cost_words(double cost) {
+    return cost == 1 ? "none: the textbook's program, fed better numbers"
+                     : short_number(cost) + " times the textbook's run time";
+}
+
 std::string stability_table(const StabilityRun &run) {
     std::size_t widest = 4;
     for (const StabilityResult &result : run.results) {

@@ -21,10 +21,6 @@ void story_line(const char *name, const std::string &text) {
     wrapped_text(ImGui::GetStyleColorVec4(ImGuiCol_Text), text);
 }
 
-std::string bound_text(const StabilityCase &of) {
-    return short_number(of.bound) + (of.unit == ErrorUnit::linear_color ? "" : " of the brightest value");
-}
-
 /// What A is, which not every case has a program for.
 const char *left_text(const StabilityCase &of) {
     return of.textbook ? "A: the same program with the textbook's power.  B: robust."
@@ -122,9 +118,9 @@ void StabilityDetails::draw(const ListedCase &one) {
     story_line("Symptom", of.symptom);
     story_line("Cause", of.cause);
     story_line("Met in", of.source);
-    story_line("Bound", bound_text(of));
-    if (const std::string cost = cost_text(one); !cost.empty()) {
-        story_line("Cost", cost + " the textbook's run time");
+    story_line("Bound", bound_words(of));
+    if (one.result && one.result->cost) {
+        story_line("Cost", cost_words(*one.result->cost));
     }
     story_line("Views", left_text(of));
 }
