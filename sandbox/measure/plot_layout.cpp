@@ -55,9 +55,12 @@ class Axis {
   private:
     [[nodiscard]] double inner(double value) const { return scale_ == Scale::logarithmic ? std::log10(value) : value; }
     static std::string label(double value) {
+        if (value == 0) {
+            return "0"; // it has no power of ten; nor is it to read -0
+        }
         char text[32];
         const int power = static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-9));
-        if (value != 0 && power < -3) {
+        if (power < -3) {
             std::snprintf(text, sizeof text, "%ge%d", std::round(value / std::pow(10.0, power)), power);
         } else {
             std::snprintf(text, sizeof text, "%g", value);
