@@ -2,7 +2,6 @@
 
 #include "scene/resources.h"
 #include "scene/scene_file.h"
-#include "shading/length_scale.h"
 #include "shading/program_source.h"
 
 #include <algorithm>
@@ -62,11 +61,7 @@ int run_glsl(const GlslFlags &flags, const CommonOptions &common) {
     const Scene scene = open_scene(common, flags.scene);
     const std::size_t chosen = chosen_object(scene, flags.object);
     const std::vector<ObjectResources> resources = Resources(scene_assets(common)).load(scene);
-    std::vector<Features> features;
-    const bool deep = is_deep(scene, resources);
-    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-        features.push_back(derive_features(scene, technique, scene.objects[i], *resources[i].mesh, false, deep));
-    }
+    const std::vector<Features> features = derive_features(scene, technique, resources);
     require_drawable(features[chosen], scene, technique, scene.objects[chosen]);
     const ProgramSource program = assemble(features[chosen], ShaderParts(shader_assets(common)));
     note_other_programs(scene, features, chosen);

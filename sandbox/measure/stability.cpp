@@ -2,7 +2,6 @@
 
 #include "reference/reference.h"
 #include "shading/features.h"
-#include "shading/length_scale.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,15 +28,8 @@ double brightest(const ReferenceFrame &truth) {
 
 /// Does the scene need no guard at all?
 bool is_textbook(const StabilityCase &one, const std::vector<ObjectResources> &resources) {
-    const bool deep = is_deep(one.scene, resources);
-    for (std::size_t i = 0; i < resources.size(); ++i) {
-        const Features features =
-            derive_features(one.scene, one.techniques.front(), one.scene.objects[i], *resources[i].mesh, false, deep);
-        if (without_guards(features) != features) {
-            return false;
-        }
-    }
-    return true;
+    const std::vector<Features> features = derive_features(one.scene, one.techniques.front(), resources);
+    return std::ranges::all_of(features, [](const Features &f) { return without_guards(f) == f; });
 }
 
 /// Textbook and robust program take turns, so that a drift of the machine hits both alike; the median of the ratios.

@@ -1,7 +1,6 @@
 #include "measure/work_precision_plan.h"
 
 #include "shading/features.h"
-#include "shading/length_scale.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,16 +68,6 @@ void rescale(BoxShape &shape, const Rescale &to) { shape.divisions = to(shape.di
 void rescale(PlaneShape &shape, const Rescale &to) { shape.divisions = to(shape.divisions, 1, most_plane_divisions); }
 void rescale(ObjShape &, const Rescale &) {}
 
-std::vector<Features> features_of(const Scene &scene, const Technique &technique,
-                                  const std::vector<ObjectResources> &resources) {
-    std::vector<Features> all;
-    const bool deep = is_deep(scene, resources);
-    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-        all.push_back(derive_features(scene, technique, scene.objects[i], *resources[i].mesh, false, deep));
-    }
-    return all;
-}
-
 constexpr Frequency frequencies[]{Frequency::flat, Frequency::per_vertex, Frequency::per_pixel,
                                   Frequency::interpolated_vectors, Frequency::hybrid};
 constexpr Model models[]{Model::lambert, Model::phong, Model::blinn_phong};
@@ -102,7 +91,7 @@ class Chosen {
         if (why_refused(technique)) {
             return; // no such technique
         }
-        const auto features = features_of(scene_, specialised(technique), resources_);
+        const auto features = derive_features(scene_, specialised(technique), resources_);
         for (const auto &[other, its_features] : taken_) {
             if (other.program == technique.program && its_features == features) {
                 omitted.push_back({to_string(technique), "the same program as " + to_string(other)});

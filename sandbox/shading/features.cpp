@@ -308,6 +308,17 @@ Features derive_features(const Scene &scene, const Technique &technique, const O
     return f;
 }
 
+std::vector<Features> derive_features(const Scene &scene, const Technique &technique,
+                                      const std::vector<ObjectResources> &resources) {
+    const bool deep = is_deep(scene, resources);
+    std::vector<Features> all;
+    all.reserve(scene.objects.size());
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        all.push_back(derive_features(scene, technique, scene.objects[i], *resources[i].mesh, false, deep));
+    }
+    return all;
+}
+
 Features without_guards(Features f) {
     for (LightFeatures *light : {&f.directional, &f.point, &f.spot}) {
         light->floor = light->on_surface = light->narrow_cone = light->stable_exponent = false;

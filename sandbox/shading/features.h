@@ -1,6 +1,7 @@
 #pragma once
 
 #include "scene/mesh.h"
+#include "scene/resources.h"
 #include "scene/scene.h"
 #include "shading/technique.h"
 
@@ -88,6 +89,9 @@ ContributingLights contributing_lights(const Scene &scene, const Technique &tech
 /// what is_deep(scene, all resources) says; the camera alone may make it so too.
 Features derive_features(const Scene &scene, const Technique &technique, const Object &object, const Mesh &mesh,
                          bool object_ids = false, bool deep = false);
+/// Of every object of the scene, in their order, without object ids.
+std::vector<Features> derive_features(const Scene &scene, const Technique &technique,
+                                      const std::vector<ObjectResources> &resources);
 
 NormalTransform normal_transform(const Technique &technique, const Object &object);
 /// Where lengths are scaled (length_scale.h) the model matrix is no longer rigid.

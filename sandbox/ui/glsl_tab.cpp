@@ -1,6 +1,5 @@
 #include "ui/tab_content.h"
 
-#include "shading/length_scale.h"
 #include "shading/program_source.h"
 #include "ui/line_diff.h"
 #include "ui/theme.h"
@@ -33,10 +32,8 @@ std::vector<std::string> origin_names(const StageSource &stage) {
 
 Listing list_program(const Session &session, ViewPainter &painter, bool right) {
     const Scene &scene = session.document.scene;
-    const Object &object = scene.objects[session.object];
     const auto resources = painter.renderer().resources().load(scene);
-    const Features features = derive_features(scene, session.technique(right), object, *resources[session.object].mesh,
-                                              false, is_deep(scene, resources));
+    const Features features = derive_features(scene, session.technique(right), resources)[session.object];
     const ProgramSource source = assemble(features, painter.renderer().parts());
     return {{source.vertex.text, source.fragment.text},
             {split_lines(source.vertex.text), split_lines(source.fragment.text)},

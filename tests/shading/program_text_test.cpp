@@ -3,7 +3,6 @@
 #include "image/error.h"
 #include "scene/resources.h"
 #include "scene/scene_file.h"
-#include "shading/length_scale.h"
 #include "shading/template_values.h"
 #include "tools/feature_scenes.h"
 #include "tools/technique_walk.h"
@@ -130,12 +129,9 @@ TEST(ProgramText, AnOrdinarySceneIsTheTextbooksProgramToTheLetter) {
         for (const std::string technique :
              {"flat/phong", "per-vertex/phong", "per-pixel/phong", "per-pixel/blinn-phong",
               "interpolated-vectors/blinn-phong", "hybrid/phong"}) {
-            const Object &object = scene.objects[0];
-            const bool deep = is_deep(scene, resources);
-            const Features by_itself =
-                derive_features(scene, parse_technique(technique), object, *resources[0].mesh, false, deep);
-            const Features textbook = derive_features(scene, parse_technique(technique + ":power=textbook"), object,
-                                                      *resources[0].mesh, false, deep);
+            const Features by_itself = derive_features(scene, parse_technique(technique), resources)[0];
+            const Features textbook =
+                derive_features(scene, parse_technique(technique + ":power=textbook"), resources)[0];
             EXPECT_EQ(by_itself, textbook) << name << ' ' << technique; // equal features give equal text
             EXPECT_EQ(assemble(by_itself, parts()).fragment.text, assemble(textbook, parts()).fragment.text);
             EXPECT_EQ(by_itself, without_guards(by_itself)) << name << ' ' << technique;
