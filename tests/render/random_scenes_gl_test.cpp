@@ -65,7 +65,7 @@ class RandomScenes : public GlTest {
         for (Object &object : scene.objects) {
             std::string &texture = object.material.texture;
             if (!texture.empty()) {
-                const std::string bytes = read_file("assets/textures/" + texture);
+                const std::string bytes = Assets("assets").read("textures/" + texture).value();
                 folder_.write(texture, encode_png(halved(decode_image(bytes, texture))));
                 texture = folder_.path() / texture;
             }
