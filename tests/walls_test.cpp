@@ -28,6 +28,21 @@ const std::map<std::string, Names, std::less<>> rooms_below = {
     {"main.cpp", {"scene", "image", "shading", "reference", "render", "measure", "capture", "ui", "commands"}},
 };
 
+/// The rooms inside a large room, and those that each of them may include. What stands in the large room itself sees
+/// all of its inner rooms and is seen by none of them.
+const std::map<std::string, Names, std::less<>> inner_rooms_below = {
+    {"measure/metrics", {}},
+    {"measure/work_precision", {"measure/metrics"}},
+    {"measure/stability", {"measure/metrics"}},
+    {"measure/report", {"measure/metrics", "measure/work_precision", "measure/stability"}},
+    {"ui/session", {}},
+    {"ui/widgets", {"ui/session"}},
+    {"ui/views", {"ui/session", "ui/widgets"}},
+    {"ui/jobs", {"ui/session", "ui/widgets"}},
+    {"ui/panels", {"ui/session", "ui/widgets", "ui/views", "ui/jobs"}},
+    {"ui/tabs", {"ui/session", "ui/widgets", "ui/views", "ui/jobs"}},
+};
+
 struct Library {
     const char *header; ///< a regular expression on the name between the brackets
     Names rooms;        ///< that may include it; empty: all
@@ -36,6 +51,7 @@ struct Library {
 const std::vector<Library> libraries = {
     {"[a-z_]+", {}}, // C++'s own
     {"glm/.*", {}},
+    {"fmt/.*", {}},
     {"(unistd|fcntl|poll|termios)\\.h|sys/.*", {}},
     {"glad/.*|EGL/.*", {"render"}},
     {"GLFW/.*", {"render", "ui"}},
@@ -50,6 +66,8 @@ const Names rooms_without_opengl = {"scene",   "image",   "shading",  "reference
 constexpr std::size_t longest_file = 450;
 
 std::string room_of(const std::string &path) { return path.substr(0, path.find('/')); }
+/// "ui/tabs" of "ui/tabs/a.cpp"; "ui" of "ui/a.cpp".
+std::string inner_room_of(const std::string &path) { return path.substr(0, path.rfind('/')); }
 bool is_header(const std::string &path) { return path.ends_with(".h"); }
 
 /// What is wrong with one file of sandbox/ (`path` below it), as sentences.
@@ -62,11 +80,20 @@ std::vector<std::string> broken_walls(const std::string &path, const std::string
         complain("'" + room + "' is no room of the house");
         return broken;
     }
+    if (std::count(path.begin(), path.end(), '/') > 1 && !inner_rooms_below.contains(inner_room_of(path))) {
+        complain("'" + inner_room_of(path) + "' is no inner room of the house");
+    }
     for (const auto &name : includes_of(text)) {
         const auto other = room_of(name);
         if (rooms_below.contains(other)) {
             if (other != room && !below->second.contains(other)) {
                 complain("may not include " + name);
+            }
+            const auto inner_below = inner_rooms_below.find(inner_room_of(path));
+            const auto inner = inner_room_of(name);
+            if (other == room && inner_below != inner_rooms_below.end() && inner != inner_below->first &&
+                !inner_below->second.contains(inner)) {
+                complain("may not include " + name + ": it stands above " + inner_below->first);
             }
             continue;
         }
@@ -157,6 +184,22 @@ TEST(WallsStand, AgainstIncludesOfOtherRooms) {
         EXPECT_EQ(broken_walls(path, "#include \"" + name + "\"\n").size(), 1U) << path << " " << name;
     }
     EXPECT_TRUE(broken_walls("commands/a.cpp", "#include \"ui/window.h\"\n#include <vector>\n").empty());
+}
+
+TEST(WallsStand, AgainstIncludesOfInnerRooms) {
+    const std::vector<std::pair<std::string, std::string>> upward = {
+        {"measure/metrics/a.cpp", "measure/report/page.h"},
+        {"measure/stability/a.cpp", "measure/work_precision/run.h"},
+        {"ui/session/a.cpp", "ui/widgets/widgets.h"},
+        {"ui/panels/a.cpp", "ui/tabs/tab_content.h"},
+        {"ui/tabs/a.cpp", "ui/window.h"},
+        {"ui/attic/a.cpp", "scene/scene.h"},
+    };
+    for (const auto &[path, name] : upward) {
+        EXPECT_EQ(broken_walls(path, "#include \"" + name + "\"\n").size(), 1U) << path << " " << name;
+    }
+    EXPECT_TRUE(broken_walls("ui/window.cpp", "#include \"ui/tabs/tab_content.h\"\n").empty());
+    EXPECT_TRUE(broken_walls("ui/tabs/a.cpp", "#include \"ui/tabs/b.h\"\n").empty());
 }
 
 TEST(WallsStand, AgainstLibrariesOfOtherRooms) {

@@ -6,6 +6,7 @@ set -euo pipefail
 packages=(
     g++ cmake ninja-build pkg-config                  # the build
     libglm-dev nlohmann-json3-dev libcli11-dev        # header libraries
+    libfmt-dev                                        # messages and numbers
     libstb-dev libjpeg-dev                            # picture files
     python3-glad libegl-dev libgl-dev libopengl-dev   # OpenGL: the loader's generator, headers
     libegl1 libgl1 libegl-mesa0 libgl1-mesa-dri       # OpenGL at run time, with a software renderer

@@ -2,7 +2,7 @@
 
 #include "commands/progress_bar.h"
 #include "commands/session.h"
-#include "measure/metrics.h"
+#include "measure/metrics/metrics.h"
 
 #include <cmath>
 #include <memory>

@@ -1,6 +1,6 @@
 #include "commands/commands.h"
 
-#include "measure/stability.h"
+#include "measure/stability/stability.h"
 #include "scene/scene_file.h"
 #include "shading/technique.h"
 

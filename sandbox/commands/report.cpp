@@ -5,8 +5,8 @@
 #include "commands/session.h"
 #include "image/image_file.h"
 #include "measure/drawn_by.h"
-#include "measure/report.h"
-#include "measure/report_pictures.h"
+#include "measure/report/pictures.h"
+#include "measure/report/report.h"
 #include "render/frame_clock.h"
 
 #include <atomic>

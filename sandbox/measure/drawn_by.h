@@ -1,7 +1,7 @@
 #pragma once
 
-#include "measure/stability.h"
-#include "measure/work_precision.h"
+#include "measure/stability/stability.h"
+#include "measure/work_precision/run.h"
 
 #include <chrono>
 

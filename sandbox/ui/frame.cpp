@@ -1,9 +1,9 @@
 #include "ui/frame.h"
 
 #include "ui/keys.h"
-#include "ui/panels.h"
-#include "ui/theme.h"
-#include "ui/viewports.h"
+#include "ui/panels/panels.h"
+#include "ui/views/viewports.h"
+#include "ui/widgets/theme.h"
 
 #include <algorithm>
 #include <imgui.h>

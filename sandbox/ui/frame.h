@@ -1,9 +1,9 @@
 #pragma once
 
-#include "ui/bottom_panel.h"
-#include "ui/fonts.h"
-#include "ui/session.h"
-#include "ui/view_painter.h"
+#include "ui/session/session.h"
+#include "ui/tabs/bottom_panel.h"
+#include "ui/views/view_painter.h"
+#include "ui/widgets/fonts.h"
 
 namespace sandbox {
 

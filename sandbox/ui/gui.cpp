@@ -1,6 +1,6 @@
 #include "ui/gui.h"
 
-#include "ui/theme.h"
+#include "ui/widgets/theme.h"
 
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ui/fonts.h"
-#include "ui/session.h"
+#include "ui/session/session.h"
+#include "ui/widgets/fonts.h"
 
 struct GLFWwindow;
 

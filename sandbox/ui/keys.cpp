@@ -1,7 +1,7 @@
 #include "ui/keys.h"
 
-#include "ui/edits.h"
-#include "ui/theme.h"
+#include "ui/session/edits.h"
+#include "ui/widgets/theme.h"
 
 #include <GLFW/glfw3.h>
 #include <algorithm>

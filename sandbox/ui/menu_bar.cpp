@@ -1,7 +1,7 @@
 #include "ui/frame.h"
 
-#include "ui/theme.h"
-#include "ui/widgets.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
 
 #include <imgui.h>
 #include <string>

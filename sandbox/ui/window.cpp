@@ -3,12 +3,12 @@
 #include "render/context.h"
 #include "render/window_surface.h"
 #include "scene/scene_file.h"
-#include "ui/capture_views.h"
 #include "ui/frame.h"
 #include "ui/glfw_window.h"
 #include "ui/gui.h"
 #include "ui/keys.h"
-#include "ui/open_file.h"
+#include "ui/session/open_file.h"
+#include "ui/views/capture_views.h"
 
 #include <GLFW/glfw3.h>
 #include <algorithm>
@@ -99,7 +99,9 @@ void Window::take_input() {
     const bool reloaded = polls_shaders_ && painter_.reload_changed_shaders();
     frames_left_ = arrivals.any || reloaded ? settling_frames : frames_left_;
     const News news = bottom_.take_news(session_);
-    const int frames = news == News::none ? 0 : news == News::progress ? 1 : settling_frames; // few beside a measurement
+    const int frames = news == News::none       ? 0
+                       : news == News::progress ? 1
+                                                : settling_frames; // few beside a measurement
     frames_left_ = std::max(frames_left_, frames);
     const bool typing = ImGui::GetIO().WantTextInput;
     if (!ImGui::IsAnyItemActive() || typing) {

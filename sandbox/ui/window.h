@@ -2,7 +2,7 @@
 
 #include "scene/assets.h"
 #include "shading/technique.h"
-#include "ui/open_file.h"
+#include "ui/session/open_file.h"
 
 namespace sandbox {
 

@@ -1,7 +1,7 @@
 // How fast the truth is: linear in pixels and in lights, near constant in triangles until they are smaller than pixels.
 #include "reference/reference.h"
 
-#include "measure/flip.h"
+#include "measure/metrics/flip.h"
 #include "scene/mesh.h"
 
 #include <benchmark/benchmark.h>

@@ -1,5 +1,5 @@
 #include "image/image_file.h"
-#include "measure/metrics.h"
+#include "measure/metrics/metrics.h"
 #include "render/renderer.h"
 #include "shading/features.h"
 #include "tools/gl_test.h"

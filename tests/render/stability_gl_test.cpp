@@ -1,4 +1,4 @@
-#include "measure/stability.h"
+#include "measure/stability/stability.h"
 
 #include "render/renderer.h"
 #include "tools/gl_test.h"

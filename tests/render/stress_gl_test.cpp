@@ -1,4 +1,4 @@
-#include "measure/stability.h"
+#include "measure/stability/stability.h"
 
 #include "image/error.h"
 #include "reference/reference.h"

@@ -1,4 +1,4 @@
-#include "measure/metrics.h"
+#include "measure/metrics/metrics.h"
 #include "render/renderer.h"
 #include "scene/scene_file.h"
 #include "shading/features.h"

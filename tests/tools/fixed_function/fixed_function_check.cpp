@@ -9,7 +9,7 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 
-#include "measure/metrics.h"
+#include "measure/metrics/metrics.h"
 #include "scene/resources.h"
 #include "scene/space.h"
 

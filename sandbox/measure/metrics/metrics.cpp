@@ -1,0 +1,232 @@
+#include "measure/metrics/metrics.h"
+
+#include "measure/metrics/flip.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <glm/common.hpp>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+namespace sandbox {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+bool finite(const glm::dvec3 &c) { return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z); }
+
+/// Either kind of picture, read alike.
+class Reading {
+  public:
+    explicit Reading(const Frame &frame) : frame_(&frame), size_(frame.color.size), ids_(&frame.object_ids) {}
+    explicit Reading(const ReferenceFrame &truth) : truth_(&truth), size_(truth.size), ids_(&truth.object_ids) {}
+
+    [[nodiscard]] Size size() const { return size_; }
+    [[nodiscard]] std::size_t pixels() const {
+        return static_cast<std::size_t>(size_.width) * static_cast<std::size_t>(size_.height);
+    }
+    [[nodiscard]] bool has_ids() const { return ids_->size() == pixels(); }
+    [[nodiscard]] glm::dvec3 color(std::size_t i) const {
+        return frame_ != nullptr ? glm::dvec3(frame_->color.pixels[i]) : truth_->color[i];
+    }
+    [[nodiscard]] std::uint32_t id(std::size_t i) const { return (*ids_)[i]; }
+    [[nodiscard]] bool edge(std::size_t i) const { return truth_ != nullptr && truth_->edge[i] != 0; }
+    [[nodiscard]] bool jump(std::size_t i) const { return truth_ != nullptr && truth_->jump[i] != 0; }
+    [[nodiscard]] ByteImage display() const {
+        return to_display(frame_ != nullptr ? frame_->color : to_frame(*truth_).color, Display::linear);
+    }
+
+  private:
+    const Frame *frame_ = nullptr;
+    const ReferenceFrame *truth_ = nullptr;
+    Size size_;
+    const std::vector<std::uint32_t> *ids_;
+};
+
+void require_alike(const Reading &left, const Reading &right) {
+    if (!(left.size() == right.size())) {
+        throw std::invalid_argument("compare: the pictures differ in size");
+    }
+    if (!left.has_ids() || !right.has_ids()) {
+        throw std::invalid_argument("compare: both pictures need object ids");
+    }
+}
+
+/// Gathers differences; a channel each.
+class Differences {
+  public:
+    explicit Differences(std::size_t pixels) { values_.reserve(3 * pixels); }
+    void add(const glm::dvec3 &difference) {
+        for (int channel = 0; channel < 3; ++channel) {
+            values_.push_back(std::abs(difference[channel]));
+        }
+    }
+
+    /// Consumes the order of what was gathered.
+    [[nodiscard]] Norms norms() {
+        Norms norms;
+        if (values_.empty()) {
+            return norms;
+        }
+        double sum = 0;
+        double squares = 0;
+        for (const double value : values_) {
+            sum += value;
+            squares += value * value;
+            norms.max_abs = std::max(norms.max_abs, value);
+        }
+        const auto count = static_cast<double>(values_.size());
+        norms.mean_abs = sum / count;
+        norms.rmse = std::sqrt(squares / count);
+        const auto rank = static_cast<std::ptrdiff_t>(std::ceil(0.99 * count)) - 1;
+        std::nth_element(values_.begin(), values_.begin() + rank, values_.end());
+        norms.p99_abs = values_[static_cast<std::size_t>(rank)];
+        return norms;
+    }
+
+  private:
+    std::vector<double> values_;
+};
+
+constexpr Norms not_finite{infinite, infinite, infinite, infinite};
+
+/// Which pixels are compared, and the counts of the rest.
+std::vector<std::size_t> compared_pixels(const Reading &left, const Reading &right, Metrics &metrics) {
+    std::vector<std::size_t> compared;
+    compared.reserve(left.pixels());
+    for (std::size_t i = 0; i < left.pixels(); ++i) {
+        if ((!finite(left.color(i)) || !finite(right.color(i))) && metrics.nonfinite_pixels++ == 0) {
+            metrics.worst_pixel = i;
+        }
+        if (left.id(i) != right.id(i)) {
+            ++metrics.silhouette_pixels;
+        } else if (left.id(i) == 0) {
+            continue;
+        } else if (left.edge(i) || right.edge(i)) {
+            ++metrics.edge_pixels;
+        } else if (left.jump(i) || right.jump(i)) {
+            ++metrics.jump_pixels;
+        } else {
+            compared.push_back(i);
+        }
+    }
+    metrics.compared_pixels = compared.size();
+    return compared;
+}
+
+Norms norms_of(const Reading &left, const Reading &right, const std::vector<std::size_t> &compared) {
+    Differences differences(compared.size());
+    for (const std::size_t i : compared) {
+        differences.add(left.color(i) - right.color(i));
+    }
+    return differences.norms();
+}
+
+std::size_t worst_of(const Reading &left, const Reading &right, const std::vector<std::size_t> &compared) {
+    const auto error = [&](std::size_t i) {
+        const glm::dvec3 difference = glm::abs(left.color(i) - right.color(i));
+        return std::max({difference.x, difference.y, difference.z});
+    };
+    return compared.empty() ? 0 : *std::ranges::max_element(compared, {}, error);
+}
+
+/// max_levels, differing_share and flip: what 8 bits and the eye see.
+void compare_displayed(const Reading &left, const Reading &right, const std::vector<std::size_t> &compared, Flip flip,
+                       Metrics &metrics) {
+    const ByteImage a = left.display();
+    const ByteImage b = right.display();
+    std::size_t differing = 0;
+    for (const std::size_t i : compared) {
+        int levels = 0;
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            levels = std::max(levels, std::abs(a.rgb[3 * i + channel] - b.rgb[3 * i + channel]));
+        }
+        differing += levels > 0 ? 1 : 0;
+        metrics.max_levels = std::max(metrics.max_levels, levels);
+    }
+    metrics.differing_share =
+        compared.empty() ? 0 : static_cast<double>(differing) / static_cast<double>(compared.size());
+    metrics.flip = flip == Flip::with ? mean_flip(a, b) : 0;
+}
+
+Metrics compare_views(const Reading &left, const Reading &right, Flip flip) {
+    require_alike(left, right);
+    Metrics metrics;
+    const std::vector<std::size_t> compared = compared_pixels(left, right, metrics);
+    if (metrics.nonfinite_pixels > 0) {
+        metrics.norms = not_finite;
+    } else {
+        metrics.norms = norms_of(left, right, compared);
+        metrics.worst_pixel = worst_of(left, right, compared);
+    }
+    if (metrics.norms.rmse > 0) {
+        metrics.psnr = -20 * std::log10(metrics.norms.rmse);
+    }
+    compare_displayed(left, right, compared, flip, metrics);
+    return metrics;
+}
+
+Norms norms_between(const Reading &left, const Reading &right) {
+    require_alike(left, right);
+    Metrics counts;
+    const std::vector<std::size_t> compared = compared_pixels(left, right, counts);
+    return counts.nonfinite_pixels > 0 ? not_finite : norms_of(left, right, compared);
+}
+
+Norms quantisation_of(const Frame &drawn) {
+    const Reading view(drawn);
+    Differences differences(view.pixels());
+    for (std::size_t i = 0; i < view.pixels(); ++i) {
+        if (!finite(view.color(i))) {
+            return not_finite;
+        }
+        if (view.id(i) != 0) {
+            const glm::dvec3 shown = glm::clamp(view.color(i), 0.0, 1.0);
+            differences.add(glm::round(shown * 255.0) / 255.0 - shown);
+        }
+    }
+    return differences.norms();
+}
+
+} // namespace
+
+Metrics compare(const Frame &left, const ReferenceFrame &right, Flip flip) {
+    return compare_views(Reading(left), Reading(right), flip);
+}
+Metrics compare(const Frame &left, const Frame &right) {
+    return compare_views(Reading(left), Reading(right), Flip::with);
+}
+Metrics compare(const ReferenceFrame &left, const ReferenceFrame &right) {
+    return compare_views(Reading(left), Reading(right), Flip::with);
+}
+
+ErrorSplit split_error(const Frame &drawn, const ReferenceFrame &technique, const ReferenceFrame &per_pixel,
+                       const ReferenceFrame *analytic, const std::optional<Norms> &geometry) {
+    ErrorSplit split{{}, geometry, {}, {}};
+    parallel_for(4, [&](std::size_t part) {
+        switch (part) {
+        case 0:
+            if (&technique != &per_pixel) {
+                split.interpolation = norms_between(Reading(technique), Reading(per_pixel));
+            }
+            break;
+        case 1:
+            if (analytic != nullptr && !geometry) {
+                split.geometry = norms_between(Reading(per_pixel), Reading(*analytic));
+            }
+            break;
+        case 2:
+            split.arithmetic = norms_between(Reading(drawn), Reading(technique));
+            break;
+        default:
+            split.quantisation = quantisation_of(drawn);
+            break;
+        }
+    });
+    return split;
+}
+
+} // namespace sandbox

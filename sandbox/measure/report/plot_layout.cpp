@@ -1,0 +1,194 @@
+#include "measure/report/plot_layout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+namespace sandbox {
+namespace {
+
+/// A span of numbers on its way to a span of positions.
+class Axis {
+  public:
+    Axis(Scale scale, double first, double last) : scale_(scale), first_(first), last_(last) {}
+
+    [[nodiscard]] bool takes(double value) const {
+        return std::isfinite(value) && (scale_ == Scale::linear || value > 0);
+    }
+    void include(double value) {
+        if (takes(value)) {
+            low_ = std::min(low_, inner(value));
+            high_ = std::max(high_, inner(value));
+        }
+    }
+    /// Room around the outermost values, and a span even for a single one.
+    void pad(double share) {
+        if (low_ > high_) {
+            low_ = 0;
+            high_ = 1;
+        }
+        const double room = std::max(share * (high_ - low_), scale_ == Scale::logarithmic ? 0.05 : 1e-9);
+        low_ -= room;
+        high_ += room;
+    }
+    [[nodiscard]] bool holds(double value) const {
+        return takes(value) && inner(value) >= low_ && inner(value) <= high_;
+    }
+    [[nodiscard]] double place(double value) const {
+        return first_ + (last_ - first_) * (inner(value) - low_) / (high_ - low_);
+    }
+    [[nodiscard]] std::vector<PlotTick> ticks() const {
+        return scale_ == Scale::logarithmic ? decade_ticks() : even_ticks();
+    }
+
+    [[nodiscard]] std::vector<PlotTick> ticks_at(const std::vector<double> &values) const {
+        std::vector<PlotTick> out;
+        for (const double value : values) {
+            if (holds(value)) {
+                out.push_back({place(value), label(value)});
+            }
+        }
+        return out;
+    }
+
+  private:
+    [[nodiscard]] double inner(double value) const { return scale_ == Scale::logarithmic ? std::log10(value) : value; }
+    static std::string label(double value) {
+        if (value == 0) {
+            return "0"; // it has no power of ten; nor is it to read -0
+        }
+        char text[32];
+        const int power = static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-9));
+        if (power < -3) {
+            std::snprintf(text, sizeof text, "%ge%d", std::round(value / std::pow(10.0, power)), power);
+        } else {
+            std::snprintf(text, sizeof text, "%g", value);
+        }
+        return text;
+    }
+    /// 1, 10, 100; over short spans 2 and 5 have labels too, over very short ones all.
+    [[nodiscard]] std::vector<PlotTick> decade_ticks() const {
+        const double span = high_ - low_;
+        std::vector<PlotTick> out;
+        for (int decade = static_cast<int>(std::floor(low_)); decade <= static_cast<int>(std::ceil(high_)); ++decade) {
+            for (int digit = 1; digit < 10; ++digit) {
+                const double value = digit * std::pow(10.0, decade);
+                if (holds(value)) {
+                    const bool labelled = digit == 1 || span < 0.6 || (span < 2 && (digit == 2 || digit == 5));
+                    out.push_back({place(value), labelled ? label(value) : std::string()});
+                }
+            }
+        }
+        return out;
+    }
+    /// Steps of 1, 2 or 5 times a power of ten, about five of them.
+    [[nodiscard]] std::vector<PlotTick> even_ticks() const {
+        const double rough = (high_ - low_) / 5;
+        const double power = std::pow(10.0, std::floor(std::log10(rough)));
+        const double digit = rough / power;
+        const double step = power * (digit < 1.5 ? 1 : digit < 3.5 ? 2 : digit < 7.5 ? 5 : 10);
+        std::vector<PlotTick> out;
+        for (double i = std::ceil(low_ / step); i * step <= high_; ++i) {
+            out.push_back({place(i * step), label(i * step)});
+        }
+        return out;
+    }
+
+    Scale scale_;
+    double first_, last_;
+    double low_ = std::numeric_limits<double>::infinity(), high_ = -std::numeric_limits<double>::infinity();
+};
+
+/// The points go down and to the right; between two of them nothing is faster and closer.
+std::vector<PlacedPoint> staircase(const std::vector<PlacedSeries> &series, const std::vector<std::size_t> &tags) {
+    std::vector<PlacedPoint> corners;
+    for (const std::size_t tag : tags) {
+        for (const PlacedSeries &one : series) {
+            const auto point = std::ranges::find(one.points, tag, &PlacedPoint::tag);
+            if (point == one.points.end()) {
+                continue;
+            }
+            if (!corners.empty()) {
+                corners.push_back({point->x, corners.back().y, 0, 0, tag});
+            }
+            corners.push_back(*point);
+            break;
+        }
+    }
+    return corners;
+}
+
+} // namespace
+
+PlotLayout lay_out(const PlotRequest &request) {
+    PlotLayout layout{
+        request.left, request.top, request.width - request.right, request.height - request.bottom, {}, {}, {}, {}, {}};
+    Axis x(request.x_scale, layout.left, layout.right);
+    Axis y(request.y_scale, layout.bottom, layout.top);
+    for (const PlotSeries &series : request.series) {
+        for (const PlotPoint &point : series.points) {
+            x.include(point.x);
+            y.include(point.y);
+        }
+    }
+    x.pad(0.06);
+    y.pad(0.06);
+    for (const PlotSeries &series : request.series) {
+        PlacedSeries placed{series.name, series.style, {}};
+        for (const PlotPoint &p : series.points) {
+            if (x.takes(p.x) && y.takes(p.y)) {
+                const bool spread = p.x_low < p.x_high && x.takes(p.x_low);
+                const auto within = [&](double value) { return std::clamp(x.place(value), layout.left, layout.right); };
+                placed.points.push_back({x.place(p.x), y.place(p.y), within(spread ? p.x_low : p.x),
+                                         within(spread ? p.x_high : p.x), p.tag});
+            }
+        }
+        layout.series.push_back(std::move(placed));
+    }
+    for (const PlotGuide &guide : request.guides) {
+        if (y.holds(guide.y)) {
+            layout.guides.push_back({y.place(guide.y), guide.label});
+        }
+    }
+    layout.x_ticks = request.x_marks.empty() ? x.ticks() : x.ticks_at(request.x_marks);
+    layout.y_ticks = y.ticks();
+    layout.front = staircase(layout.series, request.front);
+    return layout;
+}
+
+std::optional<std::size_t> nearest_point(const PlotLayout &layout, double x, double y, double reach) {
+    std::optional<std::size_t> best;
+    for (const PlacedSeries &series : layout.series) {
+        for (const PlacedPoint &point : series.points) {
+            const double distance = std::hypot(point.x - x, point.y - y);
+            if (distance <= reach) {
+                reach = distance;
+                best = point.tag;
+            }
+        }
+    }
+    return best;
+}
+
+std::vector<BarPiece> lay_out_shares(const std::vector<Bar> &bars, double left, double top, double width, double step,
+                                     double thickness) {
+    std::vector<BarPiece> pieces;
+    for (std::size_t i = 0; i < bars.size(); ++i) {
+        double sum = 0;
+        for (const double part : bars[i].parts) {
+            sum += part;
+        }
+        double x = left;
+        for (std::size_t part = 0; part < bars[i].parts.size() && sum > 0 && std::isfinite(sum); ++part) {
+            const double share = bars[i].parts[part] / sum * width;
+            if (share > 0) {
+                pieces.push_back({i, part, x, top + static_cast<double>(i) * step, share, thickness});
+                x += share;
+            }
+        }
+    }
+    return pieces;
+}
+
+} // namespace sandbox

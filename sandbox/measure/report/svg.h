@@ -1,0 +1,25 @@
+#pragma once
+
+#include "measure/report/plot_layout.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+/// Plots as inline SVG. Colours come from the page's style: classes s0, s1, ... for series, p0, p1, ... for parts.
+namespace sandbox {
+
+/// `tip` is the text that a reader gets who rests on the point of a tag.
+std::string plot_svg(const PlotRequest &request, const std::function<std::string(std::size_t)> &tip);
+
+/// One line: every series' line and marker with its name; `with_front`: the front too.
+std::string legend_html(const std::vector<std::string> &names, bool with_front);
+
+struct LabelledBar {
+    std::string label, value, tip;
+    Bar bar;
+    bool gap_above = false; ///< begins a new group
+};
+std::string bars_svg(const std::vector<LabelledBar> &bars, double width, const std::string &title);
+
+} // namespace sandbox

@@ -1,0 +1,111 @@
+#include "measure/stability/stability.h"
+
+#include "reference/reference.h"
+#include "shading/features.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sandbox {
+namespace {
+
+constexpr int cost_turns = 15;
+
+/// Darker than this a picture is black: below 1e-38 float32 ends, and the factors of a colour may be smaller than it
+/// is.
+constexpr double darkest = 1e-30;
+
+double brightest(const ReferenceFrame &truth) {
+    double largest = 0;
+    for (std::size_t i = 0; i < truth.color.size(); ++i) {
+        if (truth.object_ids[i] != 0 && truth.edge[i] == 0 && truth.jump[i] == 0) {
+            const glm::dvec3 &c = truth.color[i];
+            largest = std::max({largest, c.x, c.y, c.z});
+        }
+    }
+    return largest;
+}
+
+/// Does the scene need no guard at all?
+bool is_textbook(const StabilityCase &one, const std::vector<ObjectResources> &resources) {
+    const std::vector<Features> features = derive_features(one.scene, one.techniques.front(), resources);
+    return std::ranges::all_of(features, [](const Features &f) { return without_guards(f) == f; });
+}
+
+/// Textbook and robust program take turns, so that a drift of the machine hits both alike; the median of the ratios.
+double cost_of(const StabilityCase &one, const StabilityDraw &draw) {
+    std::vector<double> ratios;
+    for (int turn = -2; turn < cost_turns; ++turn) {
+        const double robust = draw.timed(one.scene, one.techniques.front());
+        const double textbook = draw.timed_unguarded(one.scene, one.techniques.front());
+        if (turn >= 0) {
+            ratios.push_back(robust / textbook);
+        }
+    }
+    std::nth_element(ratios.begin(), ratios.begin() + cost_turns / 2, ratios.end());
+    return ratios[cost_turns / 2];
+}
+
+} // namespace
+
+bool StabilityResult::passed() const {
+    return !rows.empty() && std::ranges::all_of(rows, [](const StabilityRow &row) { return row.passed; });
+}
+
+const StabilityRow &StabilityResult::worst() const {
+    return *std::ranges::max_element(rows, [](const StabilityRow &a, const StabilityRow &b) {
+        return std::pair(!a.passed, a.error) < std::pair(!b.passed, b.error);
+    });
+}
+
+StabilityRow judge_stability(const Frame &drawn, const ReferenceFrame &truth, const Technique &technique, double bound,
+                             ErrorUnit unit) {
+    StabilityRow row;
+    row.technique = technique;
+    row.metrics = compare(drawn, truth, Flip::without);
+    const double scale = unit == ErrorUnit::brightest_value ? std::max(brightest(truth), darkest) : 1;
+    row.error = row.metrics.norms.max_abs / scale;
+    const auto pixels = static_cast<double>(truth.color.size());
+    row.passed = row.metrics.nonfinite_pixels == 0 && row.error <= bound &&
+                 static_cast<double>(row.metrics.compared_pixels) >= least_compared_share * pixels &&
+                 static_cast<double>(row.metrics.silhouette_pixels) <= most_silhouette_share * pixels;
+    return row;
+}
+
+double stability_exposure(const StabilityCase &one, const ReferenceFrame &truth) {
+    const double white = one.unit == ErrorUnit::brightest_value ? brightest(truth) : 1;
+    return white > 0 ? 1 / white : 1;
+}
+
+StabilityResult run_stability_case(const StabilityCase &one, const StabilityDraw &draw, Size size) {
+    StabilityResult result;
+    result.of = one;
+    const auto resources = draw.load(one.scene);
+    for (const Technique &technique : one.techniques) {
+        const ReferenceFrame truth = render_reference(one.scene, resources, technique, size);
+        const Frame frame = draw.picture(one.scene, technique, size);
+        result.rows.push_back(judge_stability(frame, truth, technique, one.bound, one.unit));
+        if (result.rows.size() > 1) {
+            continue;
+        }
+        const Technique textbook = one.textbook.value_or(technique);
+        const Frame naive = one.textbook ? draw.picture(one.scene, textbook, size)
+                                         : textbook_picture(one.scene, resources, technique, size);
+        result.textbook = judge_stability(naive, truth, textbook, one.bound, one.unit);
+        result.exposure = stability_exposure(one, truth);
+        result.textbook_image = to_display(naive.color, Display::linear, result.exposure);
+        result.robust_image = to_display(frame.color, Display::linear, result.exposure);
+        // Rounded to float after the exposure: a truth beyond float's range must still be shown.
+        ReferenceFrame shown = truth;
+        for (glm::dvec3 &color : shown.color) {
+            color *= result.exposure;
+        }
+        result.reference_image = to_display(to_frame(shown).color);
+    }
+    if (draw.timed && draw.timed_unguarded) {
+        result.cost = is_textbook(one, resources) ? 1 : cost_of(one, draw);
+    }
+    return result;
+}
+
+} // namespace sandbox

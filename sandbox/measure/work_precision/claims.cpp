@@ -1,0 +1,96 @@
+#include "measure/work_precision/findings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace sandbox {
+namespace {
+
+std::string two_digits(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, value >= 100 ? "%.0f" : "%.2g", value);
+    return text;
+}
+
+std::string error_words(double error, double base) {
+    if (!std::isfinite(error) || !std::isfinite(base)) {
+        return "a picture that is not finite";
+    }
+    if (error == base) {
+        return "the same error";
+    }
+    if (base == 0 || error == 0) {
+        return error == 0 ? "no error at all" : "an error where there was none";
+    }
+    const double ratio = error / base;
+    return std::abs(ratio - 1) < 0.02 ? "the same error within 2 %" : two_digits(ratio) + " times the error";
+}
+
+/// A difference counts where the middle half of the rounds agrees on its sign.
+std::string time_words(const TimeRatio &time) {
+    const std::string percent = two_digits(100 * std::abs(time.median - 1)) + " %";
+    if (time.upper_quartile < 1) {
+        return percent + " less time";
+    }
+    return time.lower_quartile > 1 ? percent + " more time" : "no measurable difference in time";
+}
+
+class Answers {
+  public:
+    explicit Answers(const WorkPrecision &measured) : measured_(measured), mesh_(own_mesh(measured)) {}
+
+    void add(const std::string &says, const Technique &technique, const Technique &against) {
+        const auto row = find_row(measured_, mesh_, technique);
+        const auto base = find_row(measured_, mesh_, against);
+        if (!row || !base || !measured_.rows[*row].complete() || !measured_.rows[*base].complete()) {
+            return;
+        }
+        const auto time = time_ratio(measured_, *row, *base);
+        claims.push_back({says, *row, *base, *time,
+                          error_words(measured_.rows[*row].errors->total.norms.rmse,
+                                      measured_.rows[*base].errors->total.norms.rmse) +
+                              ", " + time_words(*time)});
+    }
+
+    std::vector<Claim> claims;
+
+  private:
+    const WorkPrecision &measured_;
+    std::size_t mesh_;
+};
+
+} // namespace
+
+std::vector<Claim> answer_claims(const WorkPrecision &measured) {
+    Answers answers(measured);
+    auto models = models_of(measured);
+    std::ranges::reverse(models); // the richest first
+    for (const Model model : models) {
+        const Technique per_pixel{.frequency = Frequency::per_pixel, .model = model};
+        const Technique per_vertex{.frequency = Frequency::per_vertex, .model = model};
+        const Technique vectors{.frequency = Frequency::interpolated_vectors, .model = model};
+        const Technique hybrid{.frequency = Frequency::hybrid, .model = model};
+        const auto with = [](Technique technique, auto member, auto value) {
+            technique.*member = value;
+            return technique;
+        };
+        const Technique interpolated = with(per_pixel, &Technique::attenuation, AttenuationAt::interpolated);
+        const Technique distance = with(per_pixel, &Technique::attenuation, AttenuationAt::distance_interpolated);
+        answers.add("Attenuation may be interpolated", interpolated, per_pixel);
+        answers.add("The distance may be interpolated", distance, per_pixel);
+        answers.add("Interpolate the distance rather than attenuation", distance, interpolated);
+        answers.add("The light vectors may be interpolated", vectors, per_pixel);
+        answers.add("Hybrid is nearly as good as per-pixel", hybrid, per_pixel);
+        answers.add("Hybrid is better than per-vertex", hybrid, per_vertex);
+        for (const Technique &technique : {per_pixel, per_vertex}) {
+            answers.add("The viewer may be infinitely far away", with(technique, &Technique::viewer, Viewer::infinite),
+                        technique);
+            answers.add("One half vector a light is enough",
+                        with(technique, &Technique::half_vector, HalfVector::constant), technique);
+        }
+    }
+    return answers.claims;
+}
+
+} // namespace sandbox

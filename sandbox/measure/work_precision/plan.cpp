@@ -1,0 +1,216 @@
+#include "measure/work_precision/plan.h"
+
+#include "shading/features.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace sandbox {
+namespace {
+
+using Load = std::function<std::vector<ObjectResources>(const Scene &)>;
+
+/// The count by which a shape leads the ladder, and its rank among the shapes; nothing for a mesh from a file, which
+/// no ladder can refine.
+struct Leading {
+    int rank;
+    double rings;
+};
+std::optional<Leading> leading(const SphereShape &shape) { return Leading{0, static_cast<double>(shape.rings)}; }
+std::optional<Leading> leading(const TorusShape &shape) { return Leading{1, static_cast<double>(shape.segments)}; }
+std::optional<Leading> leading(const CylinderShape &shape) { return Leading{2, shape.segments / 2.0}; }
+std::optional<Leading> leading(const BoxShape &shape) { return Leading{3, static_cast<double>(shape.divisions)}; }
+std::optional<Leading> leading(const PlaneShape &shape) { return Leading{4, static_cast<double>(shape.divisions)}; }
+std::optional<Leading> leading(const ObjShape &) { return std::nullopt; }
+
+std::optional<double> leading_rings(const Scene &scene) {
+    std::optional<Leading> best;
+    for (const Object &object : scene.objects) {
+        const auto lead = std::visit([](const auto &shape) { return leading(shape); }, object.mesh);
+        if (!lead) {
+            return std::nullopt;
+        }
+        if (!best || lead->rank < best->rank) {
+            best = lead;
+        }
+    }
+    return best ? std::optional(best->rings) : std::nullopt;
+}
+
+/// To counts at the first rung, then doubled; within what a scene file may say.
+struct Rescale {
+    double to_first;
+    int doublings;
+
+    [[nodiscard]] int operator()(int count, int least, int most) const {
+        const int first = std::max(least, static_cast<int>(std::lround(count * to_first)));
+        return std::min(first << doublings, most);
+    }
+};
+
+constexpr int most_steps = 2048, most_box_divisions = 512, most_plane_divisions = 1024;
+
+void rescale(SphereShape &shape, const Rescale &to) {
+    shape.rings = to(shape.rings, 2, most_steps);
+    shape.segments = to(shape.segments, 3, most_steps);
+}
+void rescale(TorusShape &shape, const Rescale &to) {
+    shape.rings = to(shape.rings, 3, most_steps);
+    shape.segments = to(shape.segments, 3, most_steps);
+}
+void rescale(CylinderShape &shape, const Rescale &to) {
+    shape.segments = to(shape.segments, 3, most_steps);
+    shape.rings = to(shape.rings, 1, most_steps);
+}
+void rescale(BoxShape &shape, const Rescale &to) { shape.divisions = to(shape.divisions, 1, most_box_divisions); }
+void rescale(PlaneShape &shape, const Rescale &to) { shape.divisions = to(shape.divisions, 1, most_plane_divisions); }
+void rescale(ObjShape &, const Rescale &) {}
+
+constexpr Frequency frequencies[]{Frequency::flat, Frequency::per_vertex, Frequency::per_pixel,
+                                  Frequency::interpolated_vectors, Frequency::hybrid};
+constexpr Model models[]{Model::lambert, Model::phong, Model::blinn_phong};
+
+/// A full program chooses at run time, so its features say little: it is as its specialised twin is.
+Technique specialised(Technique technique) {
+    technique.program = Program::specialised;
+    return technique;
+}
+
+/// Takes techniques whose programs no earlier one has; names the earlier one of the others.
+class Chosen {
+  public:
+    Chosen(const Scene &scene, std::vector<ObjectResources> resources)
+        : scene_(scene), resources_(std::move(resources)) {}
+
+    [[nodiscard]] bool has(const Technique &technique) const {
+        return std::ranges::any_of(rows, [&](const auto &row) { return row.first == technique; });
+    }
+    void add(const Technique &technique, RowGroup group) {
+        if (why_refused(technique)) {
+            return; // no such technique
+        }
+        const auto features = derive_features(scene_, specialised(technique), resources_);
+        for (const auto &[other, its_features] : taken_) {
+            if (other.program == technique.program && its_features == features) {
+                omitted.push_back({to_string(technique), "the same program as " + to_string(other)});
+                return;
+            }
+        }
+        taken_.emplace_back(technique, features);
+        rows.emplace_back(technique, group);
+    }
+
+    std::vector<std::pair<Technique, RowGroup>> rows;
+    std::vector<OmittedRow> omitted;
+
+  private:
+    const Scene &scene_;
+    std::vector<ObjectResources> resources_;
+    std::vector<std::pair<Technique, std::vector<Features>>> taken_;
+};
+
+void for_frequencies_and_models(const std::function<void(const Technique &)> &visit) {
+    for (const Model model : models) {
+        for (const Frequency frequency : frequencies) {
+            Technique technique;
+            technique.frequency = frequency;
+            technique.model = model;
+            visit(technique);
+        }
+    }
+}
+
+/// Of the techniques that are there to be compared with.
+void add_variants(Chosen &chosen) {
+    for_frequencies_and_models([&](const Technique &t) {
+        if (!chosen.has(t)) {
+            return;
+        }
+        const auto variant = [&](auto member, auto value, RowGroup group) {
+            Technique changed = t;
+            changed.*member = value;
+            chosen.add(changed, group);
+        };
+        variant(&Technique::program, Program::full, RowGroup::full_program);
+        variant(&Technique::attenuation, AttenuationAt::interpolated, RowGroup::claim);
+        variant(&Technique::attenuation, AttenuationAt::distance_interpolated, RowGroup::claim);
+        if (t.model == Model::lambert || t.frequency == Frequency::flat) {
+            return; // no exponent and no viewer; no smooth picture
+        }
+        variant(&Technique::viewer, Viewer::infinite, RowGroup::claim);
+        variant(&Technique::half_vector, HalfVector::constant, RowGroup::claim);
+        if (t.frequency == Frequency::per_pixel) {
+            variant(&Technique::power, Power::textbook, RowGroup::power);
+            variant(&Technique::power, Power::stable, RowGroup::power);
+        }
+    });
+}
+
+std::size_t triangles_of(const std::vector<ObjectResources> &resources) {
+    std::size_t count = 0;
+    for (const ObjectResources &own : resources) {
+        count += own.mesh->triangles.size();
+    }
+    return count;
+}
+
+std::vector<PlannedMesh> plan_meshes(const Scene &scene, const PlanOptions &options, const Load &load) {
+    std::vector<PlannedMesh> meshes;
+    if (leading_rings(scene)) {
+        for (int rings = options.first_rings; rings <= options.last_rings; rings *= 2) {
+            PlannedMesh mesh{rings, false, true, 0, with_rings(scene, rings, options.first_rings)};
+            mesh.own = mesh.scene == scene;
+            meshes.push_back(std::move(mesh));
+        }
+    }
+    if (std::ranges::none_of(meshes, &PlannedMesh::own)) {
+        meshes.insert(meshes.begin(), PlannedMesh{0, true, false, 0, scene});
+    }
+    for (PlannedMesh &mesh : meshes) {
+        mesh.triangles = triangles_of(load(mesh.scene));
+    }
+    return meshes;
+}
+
+} // namespace
+
+PlanOptions quick_plan() { return {{320, 240}, 8, 64, 4, 5}; }
+
+Scene with_rings(const Scene &scene, int rings, int first_rings) {
+    const auto lead = leading_rings(scene);
+    if (!lead) {
+        return scene;
+    }
+    int doublings = 0;
+    while (first_rings << doublings < rings) {
+        ++doublings;
+    }
+    const Rescale to{first_rings / *lead, doublings};
+    Scene rescaled = scene;
+    for (Object &object : rescaled.objects) {
+        std::visit([&](auto &shape) { rescale(shape, to); }, object.mesh);
+    }
+    return rescaled;
+}
+
+Plan plan_report(const Scene &scene, const PlanOptions &options, const Load &load) {
+    Plan plan;
+    plan.meshes = plan_meshes(scene, options, load);
+    Chosen chosen(scene, load(scene));
+    for_frequencies_and_models([&](const Technique &t) { chosen.add(t, RowGroup::ladder); });
+    const auto base = chosen.rows;
+    add_variants(chosen);
+    for (std::size_t m = 0; m < plan.meshes.size(); ++m) {
+        const auto &rows = plan.meshes[m].own ? chosen.rows : base;
+        for (const auto &[technique, group] : rows) {
+            const bool between = group == RowGroup::ladder && !plan.meshes[m].ladder;
+            plan.rows.push_back({m, technique, between ? RowGroup::own_mesh : group});
+        }
+    }
+    plan.omitted = chosen.omitted;
+    return plan;
+}
+
+} // namespace sandbox

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "measure/report/report.h"
+#include "ui/jobs/drawing_job.h"
+
+#include <memory>
+
+namespace sandbox {
+
+using ReportJob = DrawingJob<ReportRun>;
+
+/// Starts to measure `scene`, as the command `report` would. Throws MachineError (see WorkerContext).
+std::unique_ptr<ReportJob> start_report(const DrawingSupplies &supplies, const Scene &scene, bool quick);
+
+} // namespace sandbox

@@ -1,0 +1,32 @@
+#include "ui/jobs/stability_job.h"
+
+#include "measure/drawn_by.h"
+
+namespace sandbox {
+
+StabilityJob::StabilityJob(const DrawingSupplies &supplies, std::vector<std::pair<std::size_t, StabilityCase>> cases)
+    : cases_(std::move(cases)),
+      drawing_(supplies, [this](Renderer &renderer, JobReporter &reporter) { return run(renderer, reporter); }) {}
+
+StabilityJob::Nothing StabilityJob::run(Renderer &renderer, JobReporter &reporter) {
+    Target target(stability_timed_size);
+    const StabilityDraw draw = cases_drawn_by(renderer, target);
+    for (std::size_t i = 0; i < cases_.size(); ++i) {
+        const auto &[place, one] = cases_[i];
+        reporter.say(one.name);
+        if (!reporter.report(static_cast<double>(i) / static_cast<double>(cases_.size()))) {
+            break;
+        }
+        StabilityResult result = run_stability_case(one, draw);
+        const std::lock_guard lock(mutex_);
+        finished_.emplace_back(place, std::move(result));
+    }
+    return {};
+}
+
+std::vector<std::pair<std::size_t, StabilityResult>> StabilityJob::take_finished() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(finished_, {});
+}
+
+} // namespace sandbox

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "measure/stability/stability.h"
+#include "ui/session/document.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// The stability cases as the window lists them: what is known of each, which are shown, how one is opened.
+namespace sandbox {
+
+struct ListedCase {
+    StabilityCase of;
+    std::optional<StabilityResult> result; ///< none: not run yet
+};
+
+std::vector<ListedCase> list_cases(std::vector<StabilityCase> cases);
+
+enum class Verdict { not_run, holds, breaks };
+
+/// Of the textbook's form, and of the program's own: all of the case's techniques.
+Verdict textbook_verdict(const ListedCase &one);
+Verdict robust_verdict(const ListedCase &one);
+const char *verdict_word(Verdict verdict); ///< "not run", "holds", "breaks"
+/// The largest error, or how many pixels are not finite: "1.2e-06", "3 not finite".
+std::string figure_text(const StabilityRow &row);
+/// "not run", "holds, 1.2e-06", "breaks, 0.31", "breaks, 3 not finite".
+std::string textbook_text(const ListedCase &one);
+std::string robust_text(const ListedCase &one);
+/// "1.04x", or nothing where there is no cost.
+std::string cost_text(const ListedCase &one);
+
+/// "39 of 106 run: robust holds in all, the textbook breaks in 12"
+std::string summary(const std::vector<ListedCase> &cases);
+
+/// Without its group, which stands above it: "light-on-the-surface".
+std::string short_name(const StabilityCase &one);
+
+struct CaseFilter {
+    std::string group;            ///< empty: all
+    bool textbook_breaks = false; ///< only where it is known to
+};
+bool is_shown(const ListedCase &one, const CaseFilter &filter);
+/// In their order.
+std::vector<std::string> groups_of(const std::vector<ListedCase> &cases);
+
+/// A is the textbook's form (on the processor where no program has it), B the robust one; the whole of the case's
+/// square picture is seen. `exposure`: see stability_exposure().
+Document case_document(const StabilityCase &one, double exposure);
+
+/// What was run, in the order of the list.
+std::vector<StabilityResult> results_of(const std::vector<ListedCase> &cases);
+
+} // namespace sandbox

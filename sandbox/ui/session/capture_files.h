@@ -1,0 +1,24 @@
+#pragma once
+
+#include "capture/picture.h"
+#include "ui/session/session.h"
+
+#include <filesystem>
+#include <string>
+
+namespace sandbox {
+
+/// What the views show now, as a picture file would hold it; `each` is the size of one view.
+PictureOptions picture_options(const Session &session, Size each);
+
+/// `name`-001.png, or the first number that is free in `folder`: nothing is ever overwritten.
+std::filesystem::path free_name(const std::filesystem::path &folder, const std::string &name);
+
+/// Makes `name`-001 in `folder`, or the first number that is free. Throws InputError.
+std::filesystem::path new_folder(const std::filesystem::path &folder, const std::string &name);
+
+/// The folder that captures go to: the current one, else the user's Pictures, else the home folder. Throws InputError
+/// if none of them can be written.
+std::filesystem::path capture_folder();
+
+} // namespace sandbox

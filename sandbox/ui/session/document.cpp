@@ -1,0 +1,30 @@
+#include "ui/session/document.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/trigonometric.hpp>
+#include <utility>
+
+namespace sandbox {
+
+Document document_of(std::string name, const Scene &scene, const Technique &left, const Technique &right) {
+    Document document;
+    document.scene = scene;
+    document.left = left;
+    document.right = right;
+    document.opened = std::make_shared<const OpenedScene>(OpenedScene{std::move(name), scene});
+    return document;
+}
+
+Scene scene_in_view(const Document &document, Size view) {
+    Scene seen = document.scene;
+    const double aspect = static_cast<double>(view.width) / view.height;
+    if (aspect < document.least_aspect) {
+        const double half = glm::radians(seen.camera.fov_y_degrees) / 2;
+        const double widened = 2 * std::atan(std::tan(half) * document.least_aspect / aspect);
+        seen.camera.fov_y_degrees = std::min(glm::degrees(widened), 179.0);
+    }
+    return seen;
+}
+
+} // namespace sandbox

@@ -1,0 +1,90 @@
+#include "ui/session/edits.h"
+
+#include "scene/space.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+namespace sandbox {
+
+namespace {
+
+constexpr std::size_t most_lights = 64;
+
+glm::dvec3 unit_or_down(glm::dvec3 direction) {
+    const double length = glm::length(direction);
+    return length > 0 ? direction / length : glm::dvec3(0, -1, 0);
+}
+
+double reach(const Camera &camera) { return std::max(glm::length(camera.position - camera.target), 1e-3); }
+
+} // namespace
+
+std::size_t count_lights(const Scene &scene, LightType type) {
+    return static_cast<std::size_t>(std::ranges::count(scene.lights, type, &Light::type));
+}
+
+bool can_add_light(const Scene &scene, LightType type) {
+    return scene.lights.size() < most_lights && count_lights(scene, type) < most_lights_of_a_type;
+}
+
+void add_light(Scene &scene, LightType type) {
+    if (!can_add_light(scene, type)) {
+        return;
+    }
+    const CameraAxes axes = camera_axes(scene.camera);
+    Light light;
+    light.type = type;
+    const glm::dvec3 shoulder = 0.35 * axes.right + 0.45 * axes.up - 0.5 * axes.forward;
+    light.position = scene.camera.target + shoulder * reach(scene.camera);
+    light.direction = unit_or_down(-shoulder);
+    scene.lights.push_back(light);
+}
+
+void switch_lights(Scene &scene, LightType type, bool on) {
+    if (on && count_lights(scene, type) == 0) {
+        add_light(scene, type);
+        return;
+    }
+    for (Light &light : scene.lights) {
+        if (light.type == type) {
+            light.enabled = on;
+        }
+    }
+}
+
+void set_type(Light &light, LightType type, const Camera &camera) {
+    if (light.type == type) {
+        return;
+    }
+    const Light untouched;
+    if (type != LightType::directional && light.position == untouched.position) {
+        light.position = camera.target - unit_or_down(light.direction) * (0.6 * reach(camera));
+    }
+    if (type != LightType::point && light.direction == untouched.direction) {
+        light.direction = unit_or_down(camera.target - light.position);
+    }
+    light.type = type;
+}
+
+void set_cutoff(Light &light, double degrees) {
+    const bool hard_edge = light.inner_cutoff_degrees == light.cutoff_degrees;
+    light.cutoff_degrees = degrees == 180 ? 180 : std::clamp(degrees, 0.0, 90.0);
+    light.inner_cutoff_degrees =
+        hard_edge ? light.cutoff_degrees : std::min(light.inner_cutoff_degrees, light.cutoff_degrees);
+}
+
+void keep_attenuation_valid(Attenuation &attenuation) {
+    if (attenuation.constant == 0 && attenuation.linear == 0 && attenuation.quadratic == 0) {
+        attenuation.constant = 0.001;
+    }
+}
+
+void set_key(Technique &technique, const TechniqueKey &key, int value) {
+    key.set(technique, value);
+    technique = nearest_valid(technique);
+}
+
+void reset_camera(Document &document) { document.scene.camera = document.opened->scene.camera; }
+
+} // namespace sandbox

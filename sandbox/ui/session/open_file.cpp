@@ -1,0 +1,81 @@
+#include "ui/session/open_file.h"
+
+#include "capture/sidecar.h"
+#include "image/image_file.h"
+#include "scene/scene_file.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace sandbox {
+
+namespace {
+
+std::optional<ViewMode> mode_of(Layout layout) {
+    switch (layout) {
+    case Layout::side_by_side:
+        return ViewMode::side_by_side;
+    case Layout::wipe:
+        return ViewMode::wipe;
+    case Layout::difference:
+        return ViewMode::difference;
+    case Layout::single:
+        break;
+    }
+    return std::nullopt;
+}
+
+bool is_builtin(const std::string &name, const Assets &assets) {
+    const auto names = builtin_scenes(assets);
+    return std::ranges::find(names, name) != names.end();
+}
+
+void take_sidecar(OpenedFile &file, const PictureOptions &options) {
+    file.capture = true;
+    file.left = options.left;
+    file.textbook_left = options.textbook_left;
+    if (options.layout != Layout::single) {
+        file.right = options.right;
+    }
+    file.display = options.display;
+    file.exposure = options.exposure;
+    file.mode = mode_of(options.layout);
+    if (options.layout == Layout::wipe) {
+        file.divider = options.divider;
+    }
+}
+
+} // namespace
+
+OpenedFile open_file(const std::string &name_or_path, const Assets &assets) {
+    OpenedFile file;
+    file.scene = open_scene(name_or_path, assets);
+    const std::filesystem::path path(name_or_path);
+    file.name = path.stem().string();
+    if (!is_builtin(name_or_path, assets) && path.extension() == ".json") {
+        if (const auto options = sidecar_options(read_file(path), path.filename().string())) {
+            take_sidecar(file, *options);
+        }
+    }
+    return file;
+}
+
+Document document_from(const OpenedFile &file, const Session &session) {
+    const Document &now = session.document;
+    Document document =
+        document_of(file.name, file.scene, file.left.value_or(now.left), file.right.value_or(now.right));
+    if (file.textbook_left) {
+        document.textbook = document.left;
+    }
+    document.display = file.display.value_or(now.display);
+    document.exposure = file.exposure.value_or(now.exposure);
+    document.least_aspect = file.capture ? 0 : document.least_aspect; // its camera is what the picture was taken with
+    return document;
+}
+
+void take_view(ViewSettings &view, const OpenedFile &file) {
+    view.mode = file.mode.value_or(view.mode);
+    view.divider = static_cast<float>(file.divider.value_or(static_cast<double>(view.divider)));
+}
+
+} // namespace sandbox

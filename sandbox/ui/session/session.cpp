@@ -1,0 +1,53 @@
+#include "ui/session/session.h"
+
+#include <algorithm>
+
+namespace sandbox {
+
+namespace {
+
+void keep_object_valid(Session &session) {
+    const std::size_t count = session.document.scene.objects.size();
+    session.object = std::min(session.object, count == 0 ? 0 : count - 1);
+}
+
+} // namespace
+
+const Object &Session::opened_object() const {
+    const auto &objects = document.opened->scene.objects;
+    return object < objects.size() ? objects[object] : document.scene.objects[object];
+}
+
+const Light &Session::opened_light(std::size_t light) const {
+    static const Light fresh;
+    const auto &lights = document.opened->scene.lights;
+    return light < lights.size() ? lights[light] : fresh;
+}
+
+void show_document(Session &session, const Document &document) {
+    session.history.record(session.document);
+    session.document = document;
+    session.history.record(document);
+    keep_object_valid(session);
+}
+
+void toggle_tab(Session &session, BottomTab tab) {
+    Appearance &look = session.appearance;
+    const bool shown = look.panels && look.tab == tab;
+    look.tab = shown ? std::nullopt : std::optional(tab);
+    look.panels = true;
+}
+
+void undo(Session &session) {
+    session.history.record(session.document);
+    session.document = session.history.undo();
+    keep_object_valid(session);
+}
+
+void redo(Session &session) {
+    session.history.record(session.document);
+    session.document = session.history.redo();
+    keep_object_valid(session);
+}
+
+} // namespace sandbox

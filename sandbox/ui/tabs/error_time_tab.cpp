@@ -1,0 +1,176 @@
+#include "ui/tabs/tab_content.h"
+
+#include "ui/jobs/job_progress.h"
+#include "ui/jobs/measured_rows.h"
+#include "ui/jobs/report_job.h"
+#include "ui/session/exported_files.h"
+#include "ui/tabs/error_time_view.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+#include <algorithm>
+#include <exception>
+
+namespace sandbox {
+
+namespace {
+
+/// Runs the measurement that the command `report` runs, and shows what it found.
+class ErrorTimeTab final : public TabContent {
+  public:
+    explicit ErrorTimeTab(const DrawingSupplies &supplies) : supplies_(supplies) {}
+    void draw(Session &session, ViewPainter &painter, const Fonts &fonts) override;
+    News take_news(Session &session) override;
+
+  private:
+    void start(Session &session);
+    void settle(Session &session);
+    void show_measured_model(const WorkPrecision &measured, Model wished);
+    void write_files(Session &session) const;
+    void controls(Session &session);
+    void findings(Session &session);
+    void facts() const;
+
+    DrawingSupplies supplies_;
+    bool quick_ = true;
+    ErrorTimeView view_;
+    std::unique_ptr<ReportJob> job_; ///< while one runs
+    std::string running_name_;       ///< of the scene that the job measures
+    std::optional<ReportRun> run_;   ///< the last one that brought any row
+    std::string name_;               ///< of its scene
+    std::string failure_;
+};
+
+void ErrorTimeTab::start(Session &session) {
+    try {
+        failure_.clear();
+        running_name_ = session.document.opened->name;
+        job_ = start_report(supplies_, session.document.scene, quick_);
+    } catch (const std::exception &error) {
+        failure_ = error.what();
+    }
+}
+
+News ErrorTimeTab::take_news(Session &session) {
+    const News news = job_ ? job_->job().take_news() : News::none;
+    if (news == News::result) {
+        settle(session);
+    }
+    return news;
+}
+
+/// The job has ended: keeps what it brought.
+void ErrorTimeTab::settle(Session &session) {
+    if (job_->job().state() == JobState::failed) {
+        failure_ = "Not measured: " + job_->job().error();
+        session.message = {failure_, true};
+    } else if (ReportRun run = job_->take_result(); complete_rows(run.measured) > 0) {
+        const bool finished = run.measured.finished;
+        show_measured_model(run.measured, run_ ? view_.model : session.document.right.model);
+        run_ = std::move(run);
+        name_ = running_name_;
+        session.message = {finished ? "Measured." : "Cancelled; what was measured is shown.", false};
+    } else {
+        session.message = {"Cancelled before any run time was taken.", false};
+    }
+    job_.reset();
+}
+
+/// Scenes without highlights have rows of one model alone.
+void ErrorTimeTab::show_measured_model(const WorkPrecision &measured, Model wished) {
+    const std::vector<Model> models = models_of(measured);
+    view_.model = std::ranges::find(models, wished) != models.end() ? wished : models.back();
+}
+
+void ErrorTimeTab::write_files(Session &session) const {
+    try {
+        session.message = {"Exported to " + export_report(*run_, name_).string(), false};
+    } catch (const std::exception &error) {
+        session.message = {std::string("Not exported: ") + error.what(), true};
+    }
+}
+
+void ErrorTimeTab::controls(Session &session) {
+    if (toggle_button("quick", quick_)) {
+        quick_ = true;
+    }
+    hint_for_item(session, "320x240, up to 64 rings, 5 rounds: an overview, in less than a minute.");
+    ImGui::SameLine(0, 2);
+    if (toggle_button("full", !quick_)) {
+        quick_ = false;
+    }
+    hint_for_item(session, "640x480, up to 512 rings, 21 rounds: what can be quoted, in many minutes.");
+    ImGui::SameLine();
+    if (ImGui::Button("Run")) {
+        start(session);
+    }
+    hint_for_item(session, "Measures the scene as it is now; times are steadiest while the window is left alone.");
+    if (run_) {
+        ImGui::SameLine();
+        if (ImGui::Button("Export")) {
+            write_files(session);
+        }
+        hint_for_item(session, "Writes report.html, report.json and report.csv into a new folder.");
+    }
+}
+
+/// How the numbers were taken.
+void ErrorTimeTab::facts() const {
+    const WorkPrecision &m = run_->measured;
+    wrapped_text(quiet_text(), name_ + ", " + std::to_string(m.options.size.width) + "x" +
+                                   std::to_string(m.options.size.height) + ", medians of " +
+                                   std::to_string(complete_rounds(m)) + " rounds: " + run_->machine.clock + ", on " +
+                                   run_->machine.renderer + ".");
+}
+
+void ErrorTimeTab::findings(Session &session) {
+    const WorkPrecision &m = run_->measured;
+    const float em = ImGui::GetFontSize();
+    const bool beside = ImGui::GetContentRegionAvail().x > em * 46;
+    const float table = em * 21;
+    if (!job_ && beside) {
+        ImGui::SameLine();
+    }
+    error_time_choices(session, m, view_, !beside);
+    if (beside) {
+        error_time_legend(session, view_);
+    }
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    error_time_figure(session, m, view_, {beside ? room.x - table : room.x, std::max(room.y, em * 7.5F)});
+    if (beside) {
+        ImGui::SameLine();
+    } else {
+        error_time_legend(session, view_);
+    }
+    ImGui::BeginGroup();
+    cheapest_table(session, m, view_);
+    ImGui::Spacing();
+    facts();
+    ImGui::EndGroup();
+}
+
+void ErrorTimeTab::draw(Session &session, ViewPainter &, const Fonts &) {
+    if (job_) {
+        job_progress_row(session, job_->job());
+    } else {
+        controls(session);
+    }
+    if (!failure_.empty()) {
+        wrapped_text(error_text(), failure_);
+    }
+    if (run_) {
+        findings(session);
+    } else {
+        wrapped_text(quiet_text(), "Run draws every technique on meshes from coarse to fine, compares each picture "
+                                   "with the truth in double precision, and takes its time, on " +
+                                       supplies_.by.renderer + ".");
+    }
+}
+
+} // namespace
+
+std::unique_ptr<TabContent> error_time_tab(const DrawingSupplies &supplies) {
+    return std::make_unique<ErrorTimeTab>(supplies);
+}
+
+} // namespace sandbox

@@ -1,0 +1,154 @@
+#include "ui/tabs/tab_content.h"
+
+#include "shading/program_source.h"
+#include "ui/tabs/line_diff.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <imgui.h>
+#include <string>
+#include <vector>
+
+namespace sandbox {
+
+namespace {
+
+struct Listing {
+    std::array<std::string, 2> text; ///< vertex, fragment
+    std::array<std::vector<std::string>, 2> lines;
+    std::array<std::vector<std::string>, 2> origins; ///< "light_point.glsl:12"
+};
+
+std::vector<std::string> origin_names(const StageSource &stage) {
+    std::vector<std::string> names;
+    for (const LineOrigin &origin : stage.origins) {
+        names.push_back(origin.part + ":" + std::to_string(origin.line));
+    }
+    return names;
+}
+
+Listing list_program(const Session &session, ViewPainter &painter, bool right) {
+    const Scene &scene = session.document.scene;
+    const auto resources = painter.renderer().resources().load(scene);
+    const Features features = derive_features(scene, session.technique(right), resources)[session.object];
+    const ProgramSource source = assemble(features, painter.renderer().parts());
+    return {{source.vertex.text, source.fragment.text},
+            {split_lines(source.vertex.text), split_lines(source.fragment.text)},
+            {origin_names(source.vertex), origin_names(source.fragment)}};
+}
+
+void draw_line(Session &session, const Listing &own, const Listing &other, std::size_t stage, std::size_t line,
+               bool missing, bool right) {
+    const std::string &text = own.lines[stage][line];
+    const bool moved = missing && holds_line(other.lines[1 - stage], text);
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    if (missing && text.find_first_not_of(' ') != std::string::npos) {
+        ImVec4 tint = side_color(right);
+        tint.w = 0.18F;
+        const ImVec2 end{at.x + ImGui::GetWindowWidth() + ImGui::GetScrollMaxX(), at.y + ImGui::GetTextLineHeight()};
+        ImGui::GetWindowDrawList()->AddRectFilled(at, end, ImGui::GetColorU32(tint));
+    }
+    ImGui::TextColored(quiet_text(), "%3zu %s", line + 1, moved ? "\xE2\x86\x95" : missing ? "*" : " ");
+    ImGui::SameLine();
+    ImGui::TextUnformatted(text.c_str());
+    if (line < own.origins[stage].size()) {
+        const std::string where = own.origins[stage][line];
+        hint_for_item(session, moved ? where + "; the other side has this line in its other stage" : where);
+    }
+}
+
+void draw_listing(Session &session, const Listing &own, const Listing &other, std::size_t stage, bool right,
+                  const Fonts &fonts) {
+    const std::vector<bool> missing = lines_missing(own.lines[stage], other.lines[stage]);
+    const float below = ImGui::GetStyle().CellPadding.y + 1;
+    ImGui::BeginChild(right ? "B" : "A", {0, -below}, true, ImGuiWindowFlags_HorizontalScrollbar);
+    ImGui::PushFont(fonts.code);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {4, 0});
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(own.lines[stage].size()));
+    while (clipper.Step()) {
+        for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
+            const auto line = static_cast<std::size_t>(i);
+            draw_line(session, own, other, stage, line, missing[line], right);
+        }
+    }
+    ImGui::PopStyleVar();
+    ImGui::PopFont();
+    ImGui::EndChild();
+}
+
+std::size_t stage_choice() {
+    ImGuiStorage &state = *ImGui::GetStateStorage();
+    const ImGuiID id = ImGui::GetID("stage");
+    int stage = state.GetInt(id, 1);
+    for (const int i : {0, 1}) {
+        if (i == 1) {
+            ImGui::SameLine();
+        }
+        if (toggle_button(i == 0 ? "vertex shader" : "fragment shader", stage == i)) {
+            stage = i;
+        }
+    }
+    state.SetInt(id, stage);
+    return static_cast<std::size_t>(stage);
+}
+
+void column_title(Session &session, const Listing &listing, std::size_t stage, bool right) {
+    ImGui::TextColored(side_color(right), "%s   %zu lines", right ? "B" : "A", listing.lines[stage].size());
+    if (!right && session.document.left_is_textbook()) {
+        hint_for_item(session, "A is drawn on the processor, as a textbook has it; this is its technique's program.");
+        ImGui::SameLine();
+        ImGui::TextColored(error_text(), "not what A shows");
+    }
+    ImGui::SameLine();
+    ImGui::PushID(right ? 1 : 0);
+    if (ImGui::SmallButton("copy")) {
+        ImGui::SetClipboardText(listing.text[stage].c_str());
+        session.message = {"Copied.", false};
+    }
+    ImGui::PopID();
+}
+
+/// The programs of A and B for the shown object, beside each other. Lines that the other side lacks are marked in the
+/// side's colour, lines that stand in its other stage ("moved") with an arrow.
+class GlslTab final : public TabContent {
+  public:
+    void draw(Session &session, ViewPainter &painter, const Fonts &fonts) override;
+};
+
+} // namespace
+
+std::unique_ptr<TabContent> glsl_tab(const DrawingSupplies &) { return std::make_unique<GlslTab>(); }
+
+void GlslTab::draw(Session &session, ViewPainter &painter, const Fonts &fonts) {
+    const auto &objects = session.document.scene.objects;
+    if (objects.empty()) {
+        ImGui::TextUnformatted("This scene has no object.");
+        return;
+    }
+    try {
+        const std::array<Listing, 2> listings{list_program(session, painter, false),
+                                              list_program(session, painter, true)};
+        const std::size_t stage = stage_choice();
+        if (objects.size() > 1) {
+            ImGui::SameLine();
+            ImGui::TextColored(quiet_text(), "of object %zu %s", session.object + 1,
+                               objects[session.object].name.c_str());
+        }
+        if (ImGui::BeginTable("columns", 2, ImGuiTableFlags_SizingStretchSame)) {
+            for (const bool right : {false, true}) {
+                ImGui::TableNextColumn();
+                column_title(session, listings[right ? 1 : 0], stage, right);
+                draw_listing(session, listings[right ? 1 : 0], listings[right ? 0 : 1], stage, right, fonts);
+            }
+            ImGui::EndTable();
+        }
+    } catch (const std::exception &error) {
+        ImGui::TextColored(error_text(), "%s", error.what());
+    }
+}
+
+} // namespace sandbox

@@ -1,0 +1,128 @@
+#include "ui/tabs/stability_details.h"
+
+#include "measure/report/text.h"
+#include "ui/tabs/verdict_color.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <imgui.h>
+
+namespace sandbox {
+
+namespace {
+
+constexpr float loupe_share = 1.0F / 6; // of the picture's width that the loupe shows
+
+void story_line(const char *name, const std::string &text) {
+    ImGui::TextColored(quiet_text(), "%s", name);
+    ImGui::SameLine(ImGui::GetFontSize() * 5);
+    wrapped_text(ImGui::GetStyleColorVec4(ImGuiCol_Text), text);
+}
+
+/// What A is, which not every case has a program for.
+const char *left_text(const StabilityCase &of) {
+    return of.textbook ? "A: the same program with the textbook's power.  B: robust."
+                       : "A: a textbook's equation in float32 on the processor; what hides what is the "
+                         "reference's.  B: robust.";
+}
+
+void failed_rows(const StabilityResult &result) {
+    for (const StabilityRow &row : result.rows) {
+        if (!row.passed) {
+            wrapped_text(error_text(), to_string(row.technique) + ": error " + short_number(row.error) + ", " +
+                                           std::to_string(row.metrics.nonfinite_pixels) + " of its pixels not finite");
+        }
+    }
+}
+
+/// Around the mouse, larger: one wrong pixel is easily missed.
+void loupe(const DisplayTexture &picture) {
+    const ImVec2 low = ImGui::GetItemRectMin();
+    const ImVec2 size = ImGui::GetItemRectSize();
+    const ImVec2 mouse = ImGui::GetMousePos();
+    const auto around = [](float at) { return std::clamp(at, loupe_share / 2, 1 - loupe_share / 2); };
+    const float u = around((mouse.x - low.x) / size.x);
+    const float v = around(1 - (mouse.y - low.y) / size.y); // the texture's first row is at the bottom
+    const float side = ImGui::GetFontSize() * 12;
+    constexpr float half = loupe_share / 2;
+    ImGui::BeginTooltip();
+    ImGui::Image(texture_id(picture.texture()), {side, side}, {u - half, v + half}, {u + half, v - half});
+    ImGui::EndTooltip();
+}
+
+struct Caption {
+    std::string name, figure;
+    ImVec4 color;
+};
+
+Caption caption(const char *form, Verdict verdict, const StabilityRow &row) {
+    return {std::string(form) + " " + verdict_word(verdict), figure_text(row), verdict_color(verdict)};
+}
+
+void picture(const DisplayTexture &shown, const Caption &caption, float side) {
+    ImGui::BeginGroup();
+    const ImVec4 plain(1, 1, 1, 1);
+    ImGui::Image(texture_id(shown.texture()), {side, side}, {0, 1}, {1, 0}, plain,
+                 ImGui::GetStyleColorVec4(ImGuiCol_Border));
+    if (ImGui::IsItemHovered()) {
+        loupe(shown);
+    }
+    ImGui::TextColored(caption.color, "%s", caption.name.c_str());
+    ImGui::TextUnformatted(caption.figure.c_str());
+    ImGui::EndGroup();
+}
+
+/// A whole number of screen pixels a pixel, so that none is lost and none is wider than its neighbour.
+float picture_side(float room, int width) {
+    const float fitting = std::floor(room / static_cast<float>(width));
+    return static_cast<float>(width) * std::clamp(fitting, 1.0F, 4.0F);
+}
+
+} // namespace
+
+void StabilityDetails::pictures(const ListedCase &one) {
+    const StabilityResult &result = *one.result;
+    const std::array<const ByteImage *, 3> images{&result.textbook_image, &result.robust_image,
+                                                  &result.reference_image};
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        if (!pictures_[i]) {
+            pictures_[i].emplace(*images[i]);
+        }
+    }
+    const std::array<Caption, 3> captions{caption("textbook", textbook_verdict(one), result.textbook),
+                                          caption("robust", robust_verdict(one), result.worst()),
+                                          Caption{"reference", "in double", ImGui::GetStyleColorVec4(ImGuiCol_Text)}};
+    const float gap = ImGui::GetStyle().ItemSpacing.x;
+    const float room = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3 - 2; // less the border
+    const float side = picture_side(room, images[0]->size.width);
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        if (i > 0) {
+            same_line_if_fits(side);
+        }
+        picture(*pictures_[i], captions[i], side);
+    }
+}
+
+void StabilityDetails::draw(const ListedCase &one) {
+    const StabilityCase &of = one.of;
+    ImGui::TextUnformatted(of.name.c_str());
+    if (one.result) {
+        pictures(one);
+        failed_rows(*one.result);
+    } else {
+        wrapped_text(quiet_text(), "Not run yet: \"Run this case\" shows textbook, robust and reference beside each "
+                                   "other, and judges them.");
+    }
+    story_line("Symptom", of.symptom);
+    story_line("Cause", of.cause);
+    story_line("Met in", of.source);
+    story_line("Bound", bound_words(of));
+    if (one.result && one.result->cost) {
+        story_line("Cost", cost_words(*one.result->cost));
+    }
+    story_line("Views", left_text(of));
+}
+
+} // namespace sandbox

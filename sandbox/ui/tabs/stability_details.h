@@ -1,0 +1,25 @@
+#pragma once
+
+#include "render/target.h"
+#include "ui/jobs/stability_list.h"
+
+#include <array>
+#include <optional>
+
+namespace sandbox {
+
+/// Beside the list of cases: the story of the chosen one, its figures, and its pictures textbook | robust | reference.
+class StabilityDetails {
+  public:
+    /// In the current ImGui window.
+    void draw(const ListedCase &one);
+    /// The pictures are made anew: another case was chosen, or this one was run again.
+    void forget() { pictures_ = {}; }
+
+  private:
+    void pictures(const ListedCase &one);
+
+    std::array<std::optional<DisplayTexture>, 3> pictures_;
+};
+
+} // namespace sandbox

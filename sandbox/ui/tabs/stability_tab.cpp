@@ -1,0 +1,247 @@
+#include "ui/tabs/tab_content.h"
+
+#include "measure/report/report.h"
+#include "reference/reference.h"
+#include "ui/jobs/job_progress.h"
+#include "ui/jobs/stability_job.h"
+#include "ui/session/exported_files.h"
+#include "ui/tabs/stability_details.h"
+#include "ui/tabs/stability_table.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+#include <algorithm>
+#include <exception>
+#include <imgui.h>
+
+namespace sandbox {
+
+namespace {
+
+/// The stiff and extreme cases: run here as the command `stability` runs them, opened with a click.
+class StabilityTab final : public TabContent {
+  public:
+    explicit StabilityTab(const DrawingSupplies &supplies)
+        : supplies_(supplies), cases_(list_cases(stability_cases())), groups_(groups_of(cases_)) {}
+    void draw(Session &session, ViewPainter &painter, const Fonts &fonts) override;
+    News take_news(Session &session) override;
+
+  private:
+    void start(bool all);
+    void take_finished();
+    void settle(Session &session);
+    void open(Session &session, ViewPainter &painter, std::size_t place);
+    void go_back(Session &session);
+    void export_files(Session &session) const;
+
+    void run_buttons(Session &session);
+    void filter_controls(Session &session);
+    void story(ImVec2 size);
+
+    DrawingSupplies supplies_;
+    std::vector<ListedCase> cases_;
+    std::vector<std::string> groups_;
+    CaseFilter filter_;
+    std::optional<std::size_t> chosen_;
+    std::optional<Document> before_;    ///< what was open before the first click on a case
+    std::unique_ptr<StabilityJob> job_; ///< while one runs
+    StabilityDetails details_;
+    std::string failure_;
+};
+
+bool shows_a_case(const Session &session, const std::vector<ListedCase> &cases) {
+    return std::ranges::any_of(cases,
+                               [&](const ListedCase &one) { return one.of.name == session.document.opened->name; });
+}
+
+void StabilityTab::start(bool all) {
+    std::vector<std::pair<std::size_t, StabilityCase>> wanted;
+    for (std::size_t i = 0; i < cases_.size(); ++i) {
+        if (all || i == chosen_) {
+            wanted.emplace_back(i, cases_[i].of);
+        }
+    }
+    try {
+        failure_.clear();
+        job_ = std::make_unique<StabilityJob>(supplies_, std::move(wanted));
+    } catch (const std::exception &error) {
+        failure_ = error.what();
+    }
+}
+
+void StabilityTab::take_finished() {
+    for (auto &[place, result] : job_->take_finished()) {
+        cases_[place].result = std::move(result);
+        if (place == chosen_) {
+            details_.forget();
+        }
+    }
+}
+
+News StabilityTab::take_news(Session &session) {
+    const News news = job_ ? job_->job().take_news() : News::none;
+    if (news != News::none) {
+        take_finished();
+    }
+    if (news == News::result) {
+        settle(session);
+    }
+    return news;
+}
+
+/// The job has ended.
+void StabilityTab::settle(Session &session) {
+    if (job_->job().state() == JobState::failed) {
+        failure_ = "Stopped: " + job_->job().error();
+        session.message = {failure_, true};
+    } else {
+        session.message = {(job_->job().cancelled() ? "Cancelled: " : "") + summary(cases_) + ".", false};
+    }
+    job_.reset();
+}
+
+/// Known from a run, else from the reference.
+double exposure_of(const ListedCase &one, ViewPainter &painter) {
+    if (one.result) {
+        return one.result->exposure;
+    }
+    if (one.of.unit == ErrorUnit::linear_color) {
+        return 1; // whatever the reference shows, so it need not be drawn
+    }
+    const Scene &scene = one.of.scene;
+    const auto resources = painter.renderer().resources().load(scene);
+    return stability_exposure(one.of, render_reference(scene, resources, one.of.techniques.front(), stability_size));
+}
+
+/// The case's scene in the views, as one step that can be undone.
+void StabilityTab::open(Session &session, ViewPainter &painter, std::size_t place) {
+    try {
+        const Document document = case_document(cases_[place].of, exposure_of(cases_[place], painter));
+        if (!shows_a_case(session, cases_)) {
+            before_ = session.document;
+        }
+        show_document(session, document);
+        chosen_ = place;
+        details_.forget();
+    } catch (const std::exception &error) {
+        session.message = {error.what(), true};
+    }
+}
+
+void StabilityTab::go_back(Session &session) {
+    show_document(session, *before_);
+    before_.reset();
+}
+
+void StabilityTab::export_files(Session &session) const {
+    try {
+        const StabilityRun run{results_of(cases_), supplies_.by.renderer, SANDBOX_VERSION};
+        const std::string folder = export_stability(run).string();
+        const std::string part =
+            run.results.size() < cases_.size() ? "The cases that were run, exported to " : "Exported to ";
+        session.message = {part + folder, false};
+    } catch (const std::exception &error) {
+        session.message = {std::string("Not exported: ") + error.what(), true};
+    }
+}
+
+void StabilityTab::run_buttons(Session &session) {
+    if (ImGui::Button("Run all")) {
+        start(true);
+    }
+    hint_for_item(session, "Draws every case and judges it against the reference in double: some ten seconds.");
+    ImGui::SameLine();
+    ImGui::BeginDisabled(!chosen_);
+    if (ImGui::Button("Run this case")) {
+        start(false);
+    }
+    ImGui::EndDisabled();
+    hint_for_item(session, "The one that is chosen in the list.");
+    ImGui::SameLine();
+    const bool any = std::ranges::any_of(cases_, [](const ListedCase &one) { return one.result.has_value(); });
+    ImGui::BeginDisabled(!any);
+    if (ImGui::Button("Export")) {
+        export_files(session);
+    }
+    ImGui::EndDisabled();
+    hint_for_item(session, "Writes stability.html, stability.json and stability.csv into a new folder.");
+}
+
+void StabilityTab::filter_controls(Session &session) {
+    const float em = ImGui::GetFontSize();
+    same_line_if_fits(em * 9);
+    ImGui::SetNextItemWidth(em * 9);
+    if (ImGui::BeginCombo("##group", filter_.group.empty() ? "all groups" : filter_.group.c_str())) {
+        if (ImGui::Selectable("all groups", filter_.group.empty())) {
+            filter_.group.clear();
+        }
+        for (const std::string &group : groups_) {
+            if (ImGui::Selectable(group.c_str(), group == filter_.group)) {
+                filter_.group = group;
+            }
+        }
+        ImGui::EndCombo();
+    }
+    hint_for_item(session, "Lists one group only.");
+    same_line_if_fits(em * 10);
+    ImGui::Checkbox("textbook breaks", &filter_.textbook_breaks);
+    hint_for_item(session, "Lists only cases that were run and in which the textbook's form breaks the bound.");
+    if (before_ && shows_a_case(session, cases_)) {
+        const std::string back = "Back to " + before_->opened->name;
+        same_line_if_fits(ImGui::CalcTextSize(back.c_str()).x + em);
+        if (ImGui::Button(back.c_str())) {
+            go_back(session);
+        }
+        hint_for_item(session, "What was open before the first case (Ctrl+Z goes back one by one).");
+    }
+}
+
+void StabilityTab::story(ImVec2 size) {
+    if (ImGui::BeginChild("story", size)) {
+        if (std::ranges::none_of(cases_, [this](const ListedCase &one) { return is_shown(one, filter_); })) {
+            wrapped_text(ImGui::GetStyleColorVec4(ImGuiCol_Text), "No case that was run is one of these.");
+        }
+        if (chosen_) {
+            details_.draw(cases_[*chosen_]);
+        } else {
+            wrapped_text(quiet_text(), summary(cases_));
+            wrapped_text(quiet_text(),
+                         "A click on a case opens it: A as a textbook has it, B as this program draws it.");
+        }
+    }
+    ImGui::EndChild();
+}
+
+void StabilityTab::draw(Session &session, ViewPainter &painter, const Fonts &) {
+    if (job_) {
+        job_progress_row(session, job_->job());
+    } else {
+        run_buttons(session);
+        filter_controls(session);
+    }
+    if (!failure_.empty()) {
+        wrapped_text(error_text(), failure_);
+    }
+    const float em = ImGui::GetFontSize();
+    const ImVec2 gap = ImGui::GetStyle().ItemSpacing;
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const bool beside = room.x > em * 46;
+    const float width = beside ? std::clamp(room.x * 0.4F, em * 27.5F, em * 34) : room.x; // of the story
+    const float height = beside ? room.y : room.y * (chosen_ ? 0.5F : 0.2F);
+    const ImVec2 table = beside ? ImVec2{room.x - width - gap.x, room.y} : ImVec2{room.x, room.y - height - gap.y};
+    if (const auto clicked = case_table(session, cases_, filter_, chosen_, table)) {
+        open(session, painter, *clicked);
+    }
+    if (beside) {
+        ImGui::SameLine();
+    }
+    story({width, height});
+}
+
+} // namespace
+
+std::unique_ptr<TabContent> stability_tab(const DrawingSupplies &supplies) {
+    return std::make_unique<StabilityTab>(supplies);
+}
+
+} // namespace sandbox

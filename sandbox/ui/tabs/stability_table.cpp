@@ -1,0 +1,83 @@
+#include "ui/tabs/stability_table.h"
+
+#include "ui/tabs/verdict_color.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+#include <algorithm>
+#include <string>
+
+namespace sandbox {
+
+namespace {
+
+/// True when it is clicked.
+bool row(Session &session, const ListedCase &one, bool chosen, bool wide) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    const bool clicked = ImGui::Selectable(short_name(one.of).c_str(), chosen, ImGuiSelectableFlags_SpanAllColumns);
+    hint_for_item(session, one.of.symptom);
+    if (wide) {
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(one.of.symptom.c_str());
+    }
+    ImGui::TableNextColumn();
+    ImGui::TextColored(verdict_color(textbook_verdict(one)), "%s", textbook_text(one).c_str());
+    ImGui::TableNextColumn();
+    ImGui::TextColored(verdict_color(robust_verdict(one)), "%s", robust_text(one).c_str());
+    if (wide) {
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(cost_text(one).c_str());
+    }
+    return clicked;
+}
+
+void group_row(const std::string &group) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::TextColored(quiet_text(), "%s", group.c_str());
+}
+
+} // namespace
+
+std::optional<std::size_t> case_table(Session &session, const std::vector<ListedCase> &cases, const CaseFilter &filter,
+                                      std::optional<std::size_t> chosen, ImVec2 size) {
+    const float em = ImGui::GetFontSize();
+    const bool wide = size.x > em * 52;
+    constexpr ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV |
+                                      ImGuiTableFlags_SizingFixedFit;
+    if (!ImGui::BeginTable("cases", wide ? 5 : 3, flags, size)) {
+        return std::nullopt;
+    }
+    ImGui::TableSetupScrollFreeze(0, 1);
+    if (wide) {
+        ImGui::TableSetupColumn("case", ImGuiTableColumnFlags_WidthFixed, em * 13);
+        ImGui::TableSetupColumn("symptom", ImGuiTableColumnFlags_WidthStretch);
+    } else {
+        ImGui::TableSetupColumn("case", ImGuiTableColumnFlags_WidthStretch);
+    }
+    ImGui::TableSetupColumn("textbook", ImGuiTableColumnFlags_WidthFixed, std::min(em * 9.8F, size.x * 0.38F));
+    ImGui::TableSetupColumn("robust", ImGuiTableColumnFlags_WidthFixed, std::min(em * 7, size.x * 0.27F));
+    if (wide) {
+        ImGui::TableSetupColumn("cost", ImGuiTableColumnFlags_WidthFixed, em * 3);
+    }
+    ImGui::TableHeadersRow();
+    std::string group;
+    std::optional<std::size_t> clicked;
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        if (!is_shown(cases[i], filter)) {
+            continue;
+        }
+        if (cases[i].of.group != group) {
+            group = cases[i].of.group;
+            group_row(group);
+        }
+        if (row(session, cases[i], i == chosen, wide)) {
+            clicked = i;
+        }
+    }
+    ImGui::EndTable();
+    return clicked;
+}
+
+} // namespace sandbox

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "ui/session/session.h"
+#include "ui/views/view_mouse.h"
+#include "ui/views/view_painter.h"
+
+namespace sandbox {
+
+/// Height of what stands below a difference picture, in ImGui's units.
+float difference_scale_height();
+
+/// Below a difference picture: what its colours mean in numbers, the gain, the largest difference.
+void difference_scale(Session &session, const ViewPainter &painter, const Rect &picture);
+
+} // namespace sandbox

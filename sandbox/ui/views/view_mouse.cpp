@@ -1,0 +1,89 @@
+#include "ui/views/view_mouse.h"
+
+#include "ui/session/edits.h"
+#include "ui/views/orbit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sandbox {
+
+namespace {
+
+bool near_divider(const Session &session, const Rect &rect) {
+    return session.view.mode == ViewMode::wipe &&
+           std::abs(ImGui::GetIO().MousePos.x - divider_x(session, rect)) < ImGui::GetFontSize() * 0.6F;
+}
+
+/// What a drag does is settled by where it began.
+enum class Drag { none, orbit, pan, divider };
+
+Drag begun_drag(const Session &session, const Rect &rect) {
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+        return near_divider(session, rect) ? Drag::divider : Drag::orbit;
+    }
+    return Drag::pan;
+}
+
+void drag_camera(Camera &camera, const Rect &rect, Drag drag) {
+    constexpr double degrees_per_height = 180; // from the top of a picture to its bottom: half a turn
+    const ImVec2 moved = ImGui::GetIO().MouseDelta;
+    const double x = static_cast<double>(moved.x) / rect.height();
+    const double y = static_cast<double>(moved.y) / rect.height();
+    if (x == 0 && y == 0) {
+        return;
+    }
+    camera =
+        drag == Drag::orbit ? orbited(camera, -x * degrees_per_height, y * degrees_per_height) : panned(camera, -x, y);
+}
+
+void use_wheel(Camera &camera) {
+    constexpr double closer_per_notch = 0.9;
+    if (const float wheel = ImGui::GetIO().MouseWheel; wheel != 0) {
+        camera = dollied(camera, std::pow(closer_per_notch, static_cast<double>(wheel)));
+    }
+}
+
+void drag_divider(Session &session, const Rect &rect) {
+    const float share = (ImGui::GetIO().MousePos.x - rect.low.x) / rect.width();
+    session.view.divider = std::clamp(share, 0.0F, 1.0F);
+}
+
+} // namespace
+
+float divider_x(const Session &session, const Rect &picture) {
+    return std::round(picture.low.x + picture.width() * session.view.divider);
+}
+
+void mouse_over_picture(Session &session, const Rect &picture, int id) {
+    ImGui::SetCursorScreenPos(picture.low);
+    ImGui::PushID(id);
+    ImGui::InvisibleButton("picture", {picture.width(), picture.height()},
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                               ImGuiButtonFlags_MouseButtonMiddle);
+    ImGuiStorage &state = *ImGui::GetStateStorage();
+    const ImGuiID drag_id = ImGui::GetID("drag");
+    if (ImGui::IsItemActivated()) {
+        state.SetInt(drag_id, static_cast<int>(begun_drag(session, picture)));
+    }
+    const Drag drag = ImGui::IsItemActive() ? static_cast<Drag>(state.GetInt(drag_id)) : Drag::none;
+    if (drag == Drag::divider) {
+        drag_divider(session, picture);
+    } else if (drag != Drag::none) {
+        drag_camera(session.document.scene.camera, picture, drag);
+    }
+    const bool hovered = ImGui::IsItemHovered();
+    const bool on_divider = near_divider(session, picture);
+    if (drag == Drag::divider || (hovered && on_divider)) {
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    }
+    if (hovered) {
+        use_wheel(session.document.scene.camera);
+        if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && !on_divider) {
+            reset_camera(session.document);
+        }
+    }
+    ImGui::PopID();
+}
+
+} // namespace sandbox

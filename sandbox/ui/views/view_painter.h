@@ -1,0 +1,88 @@
+#pragma once
+
+#include "render/display_pass.h"
+#include "render/renderer.h"
+#include "ui/session/session.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sandbox {
+
+/// What one side's picture shows, as last drawn.
+struct PaintedView {
+    unsigned texture = 0; ///< bottom row first; 0: there is no picture
+    Size size;
+    double milliseconds = 0; ///< of the last time it was drawn, shaders ready
+    unsigned nonfinite = 0;  ///< pixels that are NaN or infinite; magenta in the picture
+    std::string error;       ///< why there is no picture
+    std::string warning;     ///< what is wrong though there is one (a shader that does not build)
+};
+
+/// Draws the two pictures, each only when something that it shows has changed.
+class ViewPainter {
+  public:
+    ViewPainter(Assets assets, Assets shaders)
+        : renderer_(std::move(assets), ShaderParts(std::move(shaders))), display_pass_(renderer_.parts()) {}
+
+    /// Brings both sides up to date, and their difference where the view asks for it.
+    void paint(const Session &session, Size each);
+
+    [[nodiscard]] const PaintedView &view(bool right) const { return sides_[right ? 1 : 0].shown; }
+    /// 0 until both sides have a picture.
+    [[nodiscard]] unsigned difference_texture() const { return difference_ ? difference_->texture() : 0; }
+    /// The largest |A - B| of any channel, as of the last measure_difference(); infinite where one is not finite.
+    [[nodiscard]] double largest_difference() const { return largest_difference_; }
+    /// Reads both pictures back, if they changed since the last time: for when nothing is being dragged.
+    void measure_difference();
+
+    /// Of each object; empty where the scene's meshes cannot be had.
+    [[nodiscard]] std::vector<std::size_t> triangles(const Scene &scene);
+
+    [[nodiscard]] Renderer &renderer() { return renderer_; }
+    /// --shaders DIR: true if a file there changed; everything is then drawn anew.
+    bool reload_changed_shaders();
+
+  private:
+    /// All that a side's float picture depends on.
+    struct Key {
+        Scene scene;
+        Technique technique;
+        Size size;
+        bool textbook = false; ///< on the processor
+        bool wireframe = false;
+        int shaders = 0; ///< counts reloads
+        bool operator==(const Key &) const = default;
+    };
+    struct DisplayKey {
+        Display display = Display::linear;
+        double exposure = 1;
+        bool operator==(const DisplayKey &) const = default;
+    };
+    struct Side {
+        std::optional<Key> drawn; ///< also where drawing failed: it is not tried again until something changes
+        std::optional<DisplayKey> displayed;
+        std::optional<Target> target;
+        std::optional<DisplayTexture> display;
+        PaintedView shown;
+    };
+
+    bool paint_side(Side &side, const Key &key, const DisplayKey &display);
+    void draw_timed(Side &side, const Key &key);
+    void draw_textbook(Side &side, const Key &key);
+    unsigned display_side(Side &side, const DisplayKey &display);
+    void paint_difference(double gain, bool changed);
+
+    Renderer renderer_;
+    DisplayPass display_pass_;
+    std::array<Side, 2> sides_;
+    std::optional<DisplayTexture> difference_;
+    double difference_gain_ = 0;
+    bool measured_ = false;
+    double largest_difference_ = 0;
+    int reloads_ = 0;
+};
+
+} // namespace sandbox

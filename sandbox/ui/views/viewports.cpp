@@ -1,0 +1,220 @@
+#include "ui/views/viewports.h"
+
+#include "capture/picture.h"
+#include "ui/views/difference_scale.h"
+#include "ui/views/view_mouse.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <imgui.h>
+#include <string>
+
+namespace sandbox {
+
+namespace {
+
+/// Where things go: a line of names above the pictures, a line of figures below.
+struct Plan {
+    Rect pictures;
+    float line = 0;
+    float gap = 0; ///< between two pictures
+    int columns = 1;
+    [[nodiscard]] Rect column(int i) const {
+        const float each = (pictures.width() - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
+        const float left = pictures.low.x + (std::floor(each) + gap) * static_cast<float>(i);
+        return {{left, pictures.low.y}, {left + std::floor(each), pictures.high.y}};
+    }
+};
+
+Plan make_plan(const Session &session) {
+    Plan plan;
+    plan.columns = session.view.mode == ViewMode::side_by_side ? 2 : 1;
+    plan.line = ImGui::GetFrameHeight();
+    plan.gap = 4;
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const float below = session.view.mode == ViewMode::difference ? difference_scale_height() : plan.line;
+    const float bottom = std::max(low.y + room.y - below, low.y + plan.line + 16);
+    plan.pictures = {{low.x, low.y + plan.line}, {low.x + std::max(room.x, 16.0F), bottom}};
+    return plan;
+}
+
+Size pixels_of(const Rect &rect) {
+    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale; // larger than 1 on dense screens
+    const auto pixels = [](float length) { return std::clamp(static_cast<int>(std::lround(length)), 1, 8192); };
+    return {pixels(rect.width() * scale.x), pixels(rect.height() * scale.y)};
+}
+
+/// Part of a picture, from share `from` to share `to` of its width.
+void draw_picture_part(const Rect &rect, unsigned texture, float from, float to) {
+    const ImVec2 low{rect.low.x + rect.width() * from, rect.low.y};
+    const ImVec2 high{rect.low.x + rect.width() * to, rect.high.y};
+    ImGui::GetWindowDrawList()->AddImage(texture_id(texture), low, high, {from, 1}, {to, 0});
+}
+
+/// In the place of a picture that could not be drawn.
+void draw_error(const Rect &rect, const std::string &text, bool whole) {
+    const float margin = ImGui::GetFontSize();
+    const float wrap = std::max(rect.width() - 2 * margin, 60.0F);
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap);
+    const ImVec2 high{rect.high.x, whole ? rect.high.y : std::min(rect.high.y, rect.low.y + size.y + 2 * margin)};
+    list.AddRectFilled(rect.low, high, ImGui::GetColorU32(ImGuiCol_PopupBg));
+    list.PushClipRect(rect.low, rect.high, true);
+    list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {rect.low.x + margin, rect.low.y + margin},
+                 ImGui::GetColorU32(error_text()), text.c_str(), nullptr, wrap);
+    list.PopClipRect();
+}
+
+void draw_view(const PaintedView &view, const Rect &rect, float from = 0, float to = 1) {
+    if (view.texture != 0) {
+        draw_picture_part(rect, view.texture, from, to);
+    } else {
+        const Rect part{{rect.low.x + rect.width() * from, rect.low.y}, {rect.low.x + rect.width() * to, rect.high.y}};
+        draw_error(part, view.error, true);
+    }
+    if (!view.warning.empty()) {
+        draw_error(rect, view.warning, false);
+    }
+}
+
+/// A line of text at a side of `rect`, cut off where it does not fit.
+void draw_text_line(const Rect &rect, float y, ImVec4 color, const std::string &text, bool align_right) {
+    constexpr float margin = 6;
+    const float left = rect.low.x + margin;
+    const float x = align_right ? std::max(left, rect.high.x - margin - ImGui::CalcTextSize(text.c_str()).x) : left;
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    list.PushClipRect({x, y}, {rect.high.x, y + ImGui::GetFrameHeight()}, true);
+    list.AddText({x, y + ImGui::GetStyle().FramePadding.y}, ImGui::GetColorU32(color), text.c_str());
+    list.PopClipRect();
+}
+
+/// "A  per-vertex / phong", then what differs from the defaults.
+std::string side_name(const Session &session, bool right) {
+    const bool textbook = !right && session.document.left_is_textbook();
+    std::string text = textbook ? textbook_name(session.document.left) : to_string(session.technique(right));
+    if (const auto slash = text.find('/'); slash != std::string::npos) {
+        text.replace(slash, 1, " / ");
+    }
+    if (const auto colon = text.find(':'); colon != std::string::npos) {
+        text.replace(colon, 1, "    ");
+    }
+    return (right ? "B   " : "A   ") + text;
+}
+
+std::string time_text(const PaintedView &view) {
+    char text[48];
+    std::snprintf(text, sizeof text, view.milliseconds < 10 ? "%.1f ms" : "%.0f ms", view.milliseconds);
+    return view.texture != 0 ? text : "";
+}
+
+/// Nothing where all is well.
+std::string nonfinite_text(const PaintedView &view) {
+    if (view.texture == 0 || view.nonfinite == 0) {
+        return "";
+    }
+    return std::to_string(view.nonfinite) + (view.nonfinite == 1 ? " non-finite pixel" : " non-finite pixels");
+}
+
+/// How long it took, and what is wrong with the picture; on a line of its own if `stacked`.
+void draw_figures(const PaintedView &view, const Rect &rect, float y, bool align_right, bool stacked) {
+    const std::string time = time_text(view);
+    const std::string wrong = nonfinite_text(view);
+    draw_text_line(rect, y, ImGui::GetStyleColorVec4(ImGuiCol_Text), time, align_right);
+    if (wrong.empty()) {
+        return;
+    }
+    if (stacked) {
+        return draw_text_line(rect, y + ImGui::GetFrameHeight(), error_text(), wrong, align_right);
+    }
+    const float gap = ImGui::GetFontSize();
+    Rect beside = rect; // the time keeps its place
+    (align_right ? beside.high.x : beside.low.x) +=
+        (align_right ? -1.0F : 1.0F) * (ImGui::CalcTextSize(time.c_str()).x + gap);
+    draw_text_line(beside, y, error_text(), wrong, align_right);
+}
+
+/// Above the picture, what it is; `below` it, in lines, its figures.
+void draw_names(const Session &session, const ViewPainter &painter, const Rect &rect, bool right, bool align_right,
+                float below = 0) {
+    const float line = ImGui::GetFrameHeight();
+    draw_text_line(rect, rect.low.y - line, side_color(right), side_name(session, right), align_right);
+    draw_figures(painter.view(right), rect, rect.high.y + below * line, align_right, below > 0);
+}
+
+void show_side_by_side(const Session &session, const ViewPainter &painter, const Plan &plan) {
+    for (const bool right : {false, true}) {
+        const Rect rect = plan.column(right ? 1 : 0);
+        draw_view(painter.view(right), rect);
+        draw_names(session, painter, rect, right, false);
+    }
+}
+
+Rect left_half(const Rect &rect) { return {rect.low, {(rect.low.x + rect.high.x) / 2, rect.high.y}}; }
+Rect right_half(const Rect &rect) { return {{(rect.low.x + rect.high.x) / 2, rect.low.y}, rect.high}; }
+
+void show_wipe(const Session &session, const ViewPainter &painter, const Rect &rect) {
+    const float x = divider_x(session, rect);
+    const float share = (x - rect.low.x) / rect.width();
+    draw_view(painter.view(false), rect, 0, share);
+    draw_view(painter.view(true), rect, share, 1);
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    const float middle = (rect.low.y + rect.high.y) / 2;
+    const float grip = ImGui::GetFontSize() * 0.45F;
+    list.AddRectFilled({x - 1.5F, rect.low.y}, {x + 1.5F, rect.high.y}, IM_COL32(255, 255, 255, 230));
+    list.AddCircleFilled({x, middle}, grip + 2, IM_COL32(20, 24, 28, 255));
+    list.AddCircleFilled({x, middle}, grip, IM_COL32(255, 255, 255, 255));
+    draw_names(session, painter, left_half(rect), false, false);
+    draw_names(session, painter, right_half(rect), true, true);
+}
+
+void show_flip(const Session &session, const ViewPainter &painter, const Rect &rect) {
+    const bool right = session.view.show_right;
+    draw_view(painter.view(right), rect);
+    draw_names(session, painter, rect, right, false);
+    draw_text_line(rect, rect.low.y - ImGui::GetFrameHeight(), quiet_text(), right ? "" : "hold Space for B", true);
+}
+
+void show_difference(Session &session, const ViewPainter &painter, const Rect &rect) {
+    if (painter.difference_texture() != 0) {
+        draw_picture_part(rect, painter.difference_texture(), 0, 1);
+    } else {
+        const std::string &error = painter.view(false).error;
+        draw_error(rect, error.empty() ? painter.view(true).error : error, true);
+    }
+    draw_names(session, painter, left_half(rect), false, false, 1);
+    draw_names(session, painter, right_half(rect), true, true, 1);
+    if (painter.difference_texture() != 0) {
+        difference_scale(session, painter, rect);
+    }
+}
+
+} // namespace
+
+void viewports(Session &session, ViewPainter &painter) {
+    const Plan plan = make_plan(session);
+    for (int i = 0; i < plan.columns; ++i) {
+        mouse_over_picture(session, plan.column(i), i);
+    }
+    const Rect rect = plan.column(0);
+    painter.paint(session, pixels_of(rect));
+    session.triangles = painter.triangles(session.document.scene);
+    if (!ImGui::IsAnyItemActive()) {
+        painter.measure_difference();
+    }
+    switch (session.view.mode) {
+    case ViewMode::side_by_side:
+        return show_side_by_side(session, painter, plan);
+    case ViewMode::wipe:
+        return show_wipe(session, painter, rect);
+    case ViewMode::flip:
+        return show_flip(session, painter, rect);
+    case ViewMode::difference:
+        return show_difference(session, painter, rect);
+    }
+}
+
+} // namespace sandbox

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "ui/session/session.h"
+#include "ui/views/view_painter.h"
+
+namespace sandbox {
+
+/// The pictures, filling the current ImGui window: camera and divider by mouse, names above, times below.
+void viewports(Session &session, ViewPainter &painter);
+
+} // namespace sandbox

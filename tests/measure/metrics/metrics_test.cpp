@@ -1,0 +1,177 @@
+#include "measure/metrics/metrics.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+#include <stdexcept>
+
+namespace sandbox {
+namespace {
+
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+
+/// A 4 x 2 grey picture; object 1 everywhere but in the first pixel, which is background.
+Frame grey(float value = 0.5F) {
+    Frame frame;
+    frame.color = Image({4, 2}, glm::vec4(value, value, value, 1));
+    frame.object_ids.assign(8, 1);
+    frame.object_ids[0] = 0;
+    return frame;
+}
+
+ReferenceFrame truth(double value = 0.5) {
+    ReferenceFrame frame;
+    frame.size = {4, 2};
+    frame.color.assign(8, glm::dvec3(value));
+    frame.object_ids.assign(8, 1);
+    frame.object_ids[0] = 0;
+    frame.edge.assign(8, 0);
+    frame.jump.assign(8, 0);
+    return frame;
+}
+
+TEST(Metrics, IdenticalPicturesHaveNoErrorAndNoPsnr) {
+    const Metrics m = compare(grey(), truth());
+    EXPECT_EQ(m.compared_pixels, 7U);
+    EXPECT_EQ(m.norms.rmse, 0);
+    EXPECT_EQ(m.norms.max_abs, 0);
+    EXPECT_EQ(m.norms.p99_abs, 0);
+    EXPECT_FALSE(m.psnr.has_value());
+    EXPECT_EQ(m.max_levels, 0);
+    EXPECT_EQ(m.differing_share, 0);
+    EXPECT_EQ(m.flip, 0);
+    EXPECT_EQ(m.nonfinite_pixels + m.silhouette_pixels + m.edge_pixels + m.jump_pixels, 0U);
+}
+
+TEST(Metrics, OneChannelOfOnePixel) {
+    Frame left = grey();
+    left.color.pixels[3].g = 0.75F;
+    const Metrics m = compare(left, truth());
+    EXPECT_DOUBLE_EQ(m.norms.max_abs, 0.25);
+    EXPECT_EQ(m.worst_pixel, 3U);
+    EXPECT_DOUBLE_EQ(m.norms.mean_abs, 0.25 / 21);
+    EXPECT_DOUBLE_EQ(m.norms.rmse, 0.25 / std::sqrt(21.0));
+    EXPECT_DOUBLE_EQ(m.norms.p99_abs, 0.25); // 99 % of 21 is 20.8: the 21st of 21
+    EXPECT_DOUBLE_EQ(*m.psnr, -20 * std::log10(0.25 / std::sqrt(21.0)));
+    EXPECT_EQ(m.max_levels, 63); // round(127.5) = 128, round(191.25) = 191
+    EXPECT_DOUBLE_EQ(m.differing_share, 1.0 / 7);
+    EXPECT_GT(m.flip, 0);
+}
+
+TEST(Metrics, DifferencesFarBelowFloat32AreSeen) {
+    EXPECT_NEAR(compare(grey(), truth(0.5 + 1e-9)).norms.rmse, 1e-9, 1e-15);
+}
+
+TEST(Metrics, BackgroundIsNotCompared) {
+    Frame left = grey();
+    left.color.pixels[0].r = 9;
+    const Metrics m = compare(left, truth());
+    EXPECT_EQ(m.norms.max_abs, 0);
+    EXPECT_EQ(m.compared_pixels, 7U);
+}
+
+TEST(Metrics, SilhouettesEdgesAndJumpsAreCountedApart) {
+    Frame left = grey();
+    ReferenceFrame right = truth();
+    for (glm::vec4 &pixel : left.color.pixels) {
+        pixel.r += 0.25F;
+    }
+    left.object_ids[0] = 1; // background in the truth
+    left.object_ids[1] = 2;
+    left.object_ids[2] = 0;
+    right.edge = {1, 1, 0, 1, 1, 0, 0, 0};
+    right.jump = {0, 0, 0, 1, 0, 1, 0, 0};
+    const Metrics m = compare(left, right);
+    EXPECT_EQ(m.silhouette_pixels, 3U);
+    EXPECT_EQ(m.edge_pixels, 2U);
+    EXPECT_EQ(m.jump_pixels, 1U);
+    EXPECT_EQ(m.compared_pixels, 2U);
+    EXPECT_DOUBLE_EQ(m.norms.mean_abs, 0.25 / 3);
+}
+
+TEST(Metrics, NonFinitePixelsFailEveryNorm) {
+    for (const std::size_t pixel : {0U, 3U}) { // in the background too
+        Frame left = grey();
+        left.color.pixels[pixel].b = pixel == 0 ? std::numeric_limits<float>::infinity() : not_a_number;
+        const Metrics m = compare(left, truth());
+        EXPECT_EQ(m.nonfinite_pixels, 1U);
+        EXPECT_EQ(m.worst_pixel, pixel);
+        EXPECT_EQ(m.compared_pixels, 7U);
+        EXPECT_TRUE(std::isinf(m.norms.rmse) && std::isinf(m.norms.mean_abs));
+        EXPECT_TRUE(m.norms.max_abs > 1e300 && m.norms.p99_abs > 1e300);
+        EXPECT_TRUE(m.psnr.has_value() && std::isinf(*m.psnr) && *m.psnr < 0);
+        EXPECT_GT(m.flip, 0);
+    }
+    ReferenceFrame right = truth();
+    right.color[5].x = std::nan("");
+    EXPECT_EQ(compare(grey(), right).nonfinite_pixels, 1U);
+}
+
+TEST(Metrics, NinetyNinthPercentileIsARank) {
+    // 100 x 1 pixels, 300 channels: the 297th smallest. Three channels of one pixel differ more.
+    Frame left;
+    left.color = Image({100, 1});
+    left.object_ids.assign(100, 1);
+    Frame right = left;
+    for (std::size_t i = 0; i < 100; ++i) {
+        left.color.pixels[i].g = static_cast<float>(i) / 128;
+    }
+    left.color.pixels[99] = {2, 2, 2, 1};
+    EXPECT_DOUBLE_EQ(compare(left, right).norms.p99_abs, 98.0 / 128);
+    EXPECT_DOUBLE_EQ(compare(left, right).norms.max_abs, 2);
+}
+
+TEST(Metrics, DrawnPicturesAndTruthsCompareToo) {
+    EXPECT_NEAR(compare(grey(0.25F), grey(0.75F)).norms.rmse, 0.5, 1e-15);
+    ReferenceFrame left = truth();
+    left.jump[4] = 1;
+    EXPECT_EQ(compare(left, truth()).jump_pixels, 1U);
+}
+
+TEST(Metrics, WhatCannotBeComparedIsRefused) {
+    Frame other = grey();
+    other.color = Image({2, 4});
+    EXPECT_THROW(compare(other, truth()), std::invalid_argument);
+    Frame without = grey();
+    without.object_ids.clear();
+    EXPECT_THROW(compare(without, truth()), std::invalid_argument);
+}
+
+TEST(Metrics, NothingToCompareIsZero) {
+    Frame left = grey();
+    left.object_ids.assign(8, 0);
+    ReferenceFrame right = truth();
+    right.object_ids.assign(8, 0);
+    const Metrics m = compare(left, right);
+    EXPECT_EQ(m.compared_pixels, 0U);
+    EXPECT_EQ(m.norms.rmse, 0);
+    EXPECT_EQ(m.differing_share, 0);
+}
+
+TEST(ErrorSplit, EachCauseInItsOwnColumn) {
+    const Frame drawn = grey(0.625F);
+    const ReferenceFrame technique = truth(0.5);
+    const ReferenceFrame per_pixel = truth(0.25);
+    const ReferenceFrame analytic = truth(0.125);
+    const ErrorSplit split = split_error(drawn, technique, per_pixel, &analytic);
+    EXPECT_DOUBLE_EQ(split.arithmetic.rmse, 0.125);
+    EXPECT_DOUBLE_EQ(split.interpolation.rmse, 0.25);
+    EXPECT_DOUBLE_EQ(split.geometry->rmse, 0.125);
+    EXPECT_NEAR(split.quantisation.max_abs, std::abs(159.0 / 255 - 0.625), 1e-15); // 0.625 * 255 = 159.4
+    EXPECT_FALSE(split_error(drawn, technique, per_pixel, nullptr).geometry.has_value());
+}
+
+TEST(ErrorSplit, QuantisationIsAtMostHalfALevelAlsoAboveOne) {
+    Frame drawn = grey();
+    for (std::size_t i = 0; i < 8; ++i) {
+        drawn.color.pixels[i] = glm::vec4(static_cast<float>(i) * 0.2371F);
+    }
+    const ErrorSplit split = split_error(drawn, truth(), truth(), nullptr);
+    EXPECT_LE(split.quantisation.max_abs, 1.0 / 510);
+    EXPECT_GT(split.quantisation.max_abs, 0);
+    drawn.color.pixels[2].r = not_a_number;
+    EXPECT_TRUE(std::isinf(split_error(drawn, truth(), truth(), nullptr).quantisation.rmse));
+}
+
+} // namespace
+} // namespace sandbox

@@ -1,0 +1,171 @@
+#include "measure/report/report.h"
+
+#include "measure/report/text.h"
+#include "measure/work_precision/findings.h"
+#include "tools/error_of.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace sandbox {
+namespace {
+
+/// A ball on three rungs, measured with pictures of the reference and times that grow with the mesh.
+ReportRun ball_run() {
+    ReportRun run;
+    Scene scene;
+    scene.name = "Ball, \"round\" <b>";
+    Light light;
+    light.position = {1, 2, 3};
+    light.attenuation = {0.5, 0.1, 0.1};
+    scene.lights = {light};
+    scene.objects = {{"ball", SphereShape{1, 16, 32}, {}, {}, false}};
+    const auto load = [](const Scene &s) {
+        return std::vector<ObjectResources>{{std::make_shared<const Mesh>(build_mesh(s.objects[0].mesh)), nullptr}};
+    };
+    const PlanOptions options{{16, 12}, 8, 32, 4, 5};
+    double ms = 0;
+    run.measured = measure_work_precision(
+        scene, options,
+        {load,
+         [&](const Scene &s, const Technique &t) { return to_frame(render_reference(s, load(s), t, options.size)); },
+         [&](const Scene &, const Technique &) { return ms += 0.125; }});
+    run.machine = {"llvmpipe", "3.3", "A processor", 2, "1", "release", "a clock"};
+    run.version = "1.2.3";
+    run.date = "2031-05-01 12:00";
+    run.pictures = {{"The truth", "caption", ByteImage{{2, 1}, std::vector<std::uint8_t>(6, 200)}}};
+    return run;
+}
+
+/// The cells of a line of CSV.
+std::vector<std::string> cells_of(const std::string &line) {
+    std::vector<std::string> cells(1);
+    bool quoted = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        if (line[i] == '"') {
+            if (quoted && i + 1 < line.size() && line[i + 1] == '"') {
+                cells.back() += line[++i];
+            } else {
+                quoted = !quoted;
+            }
+        } else if (line[i] == ',' && !quoted) {
+            cells.emplace_back();
+        } else {
+            cells.back() += line[i];
+        }
+    }
+    return cells;
+}
+
+TEST(ReportJson, HoldsEveryRowAndReadsBack) {
+    const ReportRun run = ball_run();
+    const std::string text = report_json({run});
+    const auto json = nlohmann::json::parse(text);
+    const auto &rows = json["runs"][0]["rows"];
+    ASSERT_EQ(rows.size(), run.measured.rows.size());
+    EXPECT_EQ(rows[0]["errors"]["rmse"], run.measured.rows[0].errors->total.norms.rmse) << "to the last digit";
+    EXPECT_EQ(rows[0]["time"]["samples"].size(), 5U);
+    for (const char *key : {"orders", "pareto", "cheapest", "specialisation", "power", "claims"}) {
+        EXPECT_FALSE(json["runs"][0]["findings"][key].empty()) << key;
+    }
+    EXPECT_EQ(report_json(read_report_json(text, "a.json")), text);
+}
+
+TEST(ReportJson, SeveralRunsStandSideBySide) {
+    ReportRun other = ball_run();
+    other.machine.renderer = "another";
+    const std::string both = report_json({ball_run(), other});
+    const auto runs = read_report_json(both, "a.json");
+    ASSERT_EQ(runs.size(), 2U);
+    EXPECT_EQ(runs[1].machine.renderer, "another");
+    const std::string html = report_html(runs);
+    EXPECT_NE(html.find("Runs side by side"), std::string::npos);
+    EXPECT_NE(html.find("Run 2: another"), std::string::npos);
+}
+
+TEST(ReportJson, OtherFilesAreRefusedByName) {
+    for (const char *text :
+         {"", "[]", "{}", "{\"format\": \"something else\"}", "{\"format\": 1}",
+          "{\"format\": \"shading-sandbox report 1\"}", "{\"format\": \"shading-sandbox report 1\", \"runs\": [{}]}",
+          "{\"format\": \"shading-sandbox report 1\", \"runs\": 3}"}) {
+        const std::string said = error_of([&] { read_report_json(text, "a.json"); });
+        EXPECT_EQ(said.rfind("a.json: ", 0), 0U) << text << ": " << said;
+    }
+}
+
+TEST(ReportCsv, EveryLineHasEveryColumn) {
+    const ReportRun run = ball_run();
+    std::istringstream lines(report_csv({run}));
+    std::string line;
+    std::getline(lines, line);
+    const auto head = cells_of(line);
+    const auto column = [&](const std::string &name) {
+        return static_cast<std::size_t>(std::ranges::find(head, name) - head.begin());
+    };
+    std::size_t count = 0;
+    while (std::getline(lines, line)) {
+        const auto cells = cells_of(line);
+        ASSERT_EQ(cells.size(), head.size()) << line;
+        const MeasuredRow &row = run.measured.rows[count++];
+        EXPECT_EQ(cells[column("scene")], run.measured.scene.name);
+        EXPECT_EQ(cells[column("technique")], to_string(row.plan.technique));
+        EXPECT_EQ(std::stod(cells[column("rmse")]), row.errors->total.norms.rmse);
+        EXPECT_EQ(std::stod(cells[column("median_ms")]), row.time->median);
+    }
+    EXPECT_EQ(count, run.measured.rows.size());
+}
+
+TEST(ReportHtml, IsOneSelfContainedPage) {
+    const std::string html = report_html({ball_run()});
+    EXPECT_EQ(html.rfind("<!DOCTYPE html>", 0), 0U);
+    for (const char *part : {"<svg", "data:image/png;base64,iVBOR", "prefers-color-scheme: dark", "@media print",
+                             "Ball, &quot;round&quot; &lt;b&gt;", "per-pixel/blinn-phong"}) {
+        EXPECT_NE(html.find(part), std::string::npos) << part;
+    }
+    for (const char *outside : {"src=\"http", "href=", "@import", "url("}) {
+        EXPECT_EQ(html.find(outside), std::string::npos) << outside;
+    }
+    for (const char *tag : {"table", "section", "svg", "div", "tr", "td", "g"}) {
+        const auto count = [&](const std::string &text) {
+            std::size_t n = 0;
+            for (auto at = html.find(text); at != std::string::npos; at = html.find(text, at + 1)) {
+                ++n;
+            }
+            return n;
+        };
+        const std::string name(tag);
+        EXPECT_EQ(count("<" + name + " ") + count("<" + name + ">"), count("</" + name + ">")) << tag;
+    }
+}
+
+TEST(ReportHtml, SaysThatItIsIncompleteAndSurvivesHavingNothing) {
+    ReportRun run = ball_run();
+    run.measured.finished = false;
+    for (MeasuredRow &row : run.measured.rows) {
+        row.time.reset();
+    }
+    EXPECT_NE(report_html({run}).find("Incomplete"), std::string::npos);
+    run.measured.rows[0].errors.reset();
+    run.measured.rows[1].refused = "too <many>";
+    EXPECT_NE(report_html({run}).find("too &lt;many&gt;"), std::string::npos);
+    run.measured.rows.clear();
+    EXPECT_NE(report_html({run}).find("</html>"), std::string::npos);
+    EXPECT_EQ(read_report_json(report_json({run}), "a").size(), 1U);
+}
+
+TEST(ReportText, NumbersAndEntities) {
+    EXPECT_EQ(short_number(0), "0");
+    EXPECT_EQ(short_number(0.12345), "0.123");
+    EXPECT_EQ(short_number(12.345), "12.3");
+    EXPECT_EQ(short_number(4.56e-7), "4.56e-07");
+    EXPECT_EQ(short_number(1.0 / 0.0), "not finite");
+    EXPECT_EQ(escaped("a<b&\"c\">"), "a&lt;b&amp;&quot;c&quot;&gt;");
+    EXPECT_EQ(base64(""), "");
+    EXPECT_EQ(base64("M"), "TQ=="); // RFC 4648
+    EXPECT_EQ(base64("Ma"), "TWE=");
+    EXPECT_EQ(base64("Man"), "TWFu");
+}
+
+} // namespace
+} // namespace sandbox

@@ -1,0 +1,128 @@
+#include "scene/scene_file.h"
+#include "tools/error_of.h"
+#include "tools/temporary_folder.h"
+#include "ui/session/capture_files.h"
+#include "ui/session/open_file.h"
+
+#include "capture/sidecar.h"
+#include "image/image_file.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+namespace sandbox {
+namespace {
+
+const Technique gouraud = parse_technique("per-vertex/phong");
+const Technique blinn = parse_technique("per-pixel/blinn-phong");
+
+Session session_with(const Scene &scene) { return Session(document_of("ball", scene, gouraud, blinn)); }
+
+double half_width(const Camera &camera, Size size) {
+    return std::tan(camera.fov_y_degrees * std::numbers::pi / 360) * size.width / size.height;
+}
+
+TEST(Document, WideViewsShowTheScenesOwnAngle) {
+    const Document document = document_of("ball", Scene{}, gouraud, blinn);
+    EXPECT_EQ(scene_in_view(document, {1600, 900}), document.scene);
+}
+
+TEST(Document, NarrowViewsKeepTheirSides) {
+    const Document document = document_of("ball", Scene{}, gouraud, blinn);
+    const double wanted =
+        std::tan(document.scene.camera.fov_y_degrees * std::numbers::pi / 360) * document.least_aspect;
+    EXPECT_NEAR(half_width(scene_in_view(document, {500, 600}).camera, {500, 600}), wanted, 1e-12);
+    EXPECT_LE(scene_in_view(document, {1, 8000}).camera.fov_y_degrees, 179);
+}
+
+TEST(Document, ACaptureIsShownAsItWasTaken) {
+    TemporaryFolder folder;
+    Scene scene;
+    scene.objects = {Object{"ball", SphereShape{}, {}, {}, false}};
+    Session session = session_with(scene);
+    session.view.mode = ViewMode::wipe;
+    session.view.divider = 0.25F;
+    session.document.exposure = 2;
+    session.document.display = Display::srgb;
+    const PictureOptions options = picture_options(session, {300, 600});
+    const auto path = folder.path() / "a.png.json";
+    const Scene seen = scene_in_view(session.document, {300, 600});
+    write_file(path, sidecar_text(seen, options, {}));
+
+    const OpenedFile file = open_file(path.string(), Assets("assets"));
+    const Document restored = document_from(file, session_with(Scene{}));
+    EXPECT_EQ(restored.left, gouraud);
+    EXPECT_EQ(restored.right, blinn);
+    EXPECT_EQ(restored.exposure, 2);
+    EXPECT_EQ(restored.display, Display::srgb);
+    ViewSettings view;
+    take_view(view, file);
+    EXPECT_EQ(view.mode, ViewMode::wipe);
+    EXPECT_EQ(view.divider, 0.25F);
+    EXPECT_EQ(scene_in_view(restored, {300, 600}), seen); // not widened a second time
+}
+
+TEST(Document, ATextbooksPictureLastsAsLongAsItsTechnique) {
+    TemporaryFolder folder;
+    Session session = session_with(Scene{});
+    EXPECT_FALSE(session.document.left_is_textbook());
+    session.document.textbook = session.document.left;
+    EXPECT_TRUE(session.document.left_is_textbook());
+
+    const auto path = folder.path() / "a.png.json";
+    write_file(path, sidecar_text(Scene{}, picture_options(session, {300, 200}), {}));
+    EXPECT_TRUE(document_from(open_file(path.string(), Assets("assets")), session_with(Scene{})).left_is_textbook());
+    session.view.mode = ViewMode::flip;
+    session.view.show_right = true;
+    EXPECT_FALSE(picture_options(session, {300, 200}).textbook_left);
+
+    session.document.left.model = Model::lambert;
+    EXPECT_FALSE(session.document.left_is_textbook());
+}
+
+TEST(Document, ASceneBringsNoTechnique) {
+    const OpenedFile file = open_file("three-point-lights", Assets("assets"));
+    EXPECT_EQ(file.name, "three-point-lights");
+    EXPECT_FALSE(file.left || file.right || file.mode || file.capture);
+    Session session = session_with(Scene{});
+    session.document.left = parse_technique("flat/lambert");
+    EXPECT_EQ(document_from(file, session).left, session.document.left);
+}
+
+TEST(Document, ABadFileSaysWhatIsWrong) {
+    TemporaryFolder folder;
+    const auto path = folder.path() / "bad.json";
+    write_file(path, R"({"lights": [{"type": "torch"}]})");
+    const std::string error = error_of([&] { open_file(path.string(), Assets("assets")); });
+    EXPECT_NE(error.find("lights[0].type"), std::string::npos) << error;
+}
+
+TEST(CaptureFiles, NeverOverwrite) {
+    TemporaryFolder folder;
+    const auto first = free_name(folder.path(), "ball");
+    EXPECT_EQ(first.filename(), "ball-001.png");
+    write_file(first, "x");
+    EXPECT_EQ(free_name(folder.path(), "ball").filename(), "ball-002.png");
+    write_file(folder.path() / "ball-002.png.json", "x"); // a sidecar alone keeps its number, too
+    EXPECT_EQ(free_name(folder.path(), "ball").filename(), "ball-003.png");
+}
+
+TEST(CaptureFiles, NamesStayInTheFolder) {
+    TemporaryFolder folder;
+    EXPECT_EQ(free_name(folder.path(), "../../a b").parent_path(), folder.path());
+    EXPECT_EQ(free_name(folder.path(), "a/b").filename(), "a-b-001.png");
+    EXPECT_EQ(free_name(folder.path(), "").filename(), "scene-001.png");
+}
+
+TEST(CaptureFiles, SideBySideHoldsBothViews) {
+    Session session = session_with(Scene{});
+    EXPECT_EQ(picture_options(session, {300, 200}).size, (Size{600, 200}));
+    session.view.mode = ViewMode::flip;
+    session.view.show_right = true;
+    EXPECT_EQ(picture_options(session, {300, 200}).left, blinn);
+    EXPECT_EQ(picture_options(session, {300, 200}).size, (Size{300, 200}));
+}
+
+} // namespace
+} // namespace sandbox
