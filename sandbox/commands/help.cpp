@@ -7,7 +7,7 @@ namespace {
 
 std::string value_lines(const TechniqueKey &key, const std::string &indent) {
     std::string lines;
-    for (const TechniqueKey::Value &value : key.values) {
+    for (const TechniqueValue &value : key.values) {
         const std::string name(value.name);
         lines += indent + name + std::string(name.size() < 22 ? 22 - name.size() : 1, ' ') +
                  std::string(value.look_for) + "\n";

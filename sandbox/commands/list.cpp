@@ -35,21 +35,19 @@ ordered_json list_lessons(const Assets &assets) {
 
 ordered_json list_values(const TechniqueKey &key) {
     ordered_json values = ordered_json::array();
-    for (const TechniqueKey::Value &value : key.values) {
+    for (const TechniqueValue &value : key.values) {
         values.push_back({{"name", value.name}, {"doc", value.look_for}});
     }
     return values;
 }
 
 ordered_json list_techniques() {
-    ordered_json techniques{{"frequencies", nullptr}, {"models", nullptr}, {"keys", ordered_json::array()}};
-    for (const TechniqueKey &key : technique_keys()) {
-        if (key.name == "frequency" || key.name == "model") {
-            techniques[key.name == "model" ? "models" : "frequencies"] = list_values(key);
-        } else {
-            techniques["keys"].push_back(
-                {{"name", key.name}, {"doc", key.doc}, {"fault", key.fault}, {"values", list_values(key)}});
-        }
+    ordered_json techniques{{"frequencies", list_values(frequency_key)},
+                            {"models", list_values(model_key)},
+                            {"keys", ordered_json::array()}};
+    for (const TechniqueKey &key : technique_settings) {
+        techniques["keys"].push_back(
+            {{"name", key.name}, {"doc", key.doc}, {"fault", key.is_fault()}, {"values", list_values(key)}});
     }
     return techniques;
 }

@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
 #include <numbers>
 #include <utility>
 
@@ -41,10 +42,23 @@ glm::dvec3 unit(glm::dvec3 v) {
 double distance_to_bounds(const Transform &transform, const Bounds &bounds, const glm::dvec3 &point) {
     const glm::dmat3 turn = linear_part({{}, transform.rotate_degrees, glm::dvec3(1)});
     const glm::dvec3 local = glm::transpose(turn) * (point - transform.translate);
-    const glm::dvec3 one = transform.scale * bounds.low;
-    const glm::dvec3 other = transform.scale * bounds.high;
-    const glm::dvec3 beyond = glm::max(glm::min(one, other) - local, local - glm::max(one, other));
+    const glm::dvec3 low = transform.scale * bounds.low; // above `high` where the scale is below 0
+    const glm::dvec3 high = transform.scale * bounds.high;
+    const glm::dvec3 beyond = glm::max(glm::min(low, high) - local, local - glm::max(low, high));
     return glm::length(glm::max(beyond, glm::dvec3(0)));
+}
+
+bool is_mirrored(const Transform &transform) {
+    const glm::dvec3 &scale = transform.scale;
+    return ((scale.x < 0) != (scale.y < 0)) != (scale.z < 0);
+}
+
+bool back_faces_hidden(const Camera &camera, double aspect, const Transform &transform, const Mesh &mesh) {
+    const double half_height = std::tan(glm::radians(camera.fov_y_degrees / 2));
+    const double near_corner = std::hypot(1, half_height, half_height * aspect) * camera.near_plane;
+    const glm::dvec3 &scale = transform.scale;
+    return mesh.closed && scale.x != 0 && scale.y != 0 && scale.z != 0 &&
+           distance_to_bounds(transform, mesh.bounds, camera.position) > near_corner;
 }
 
 glm::dmat3 linear_part(const Transform &transform) {
@@ -62,13 +76,25 @@ glm::dmat3 linear_part(const Transform &transform) {
     return linear;
 }
 
+bool scales_evenly(const glm::dmat3 &linear) {
+    const glm::dmat3 gram = glm::transpose(linear) * linear;
+    const double scale = gram[0][0];
+    double off = 0;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            off = std::max(off, std::abs(gram[i][j] - (i == j ? scale : 0)));
+        }
+    }
+    return scale > 0 && off <= 1e-12 * scale;
+}
+
 CameraAxes camera_axes(const Camera &camera) {
     const glm::dvec3 forward = unit(camera.target - camera.position);
     glm::dvec3 side = glm::cross(forward, unit(camera.up));
     // 1e-9: an up this close to the view leaves fewer than half of a double's digits in the cross product.
     if (glm::dot(side, side) < 1e-18) {
-        const glm::dvec3 other = std::abs(forward.z) < 0.9 ? glm::dvec3(0, 0, -1) : glm::dvec3(0, 1, 0);
-        side = glm::cross(forward, other);
+        const glm::dvec3 another_up = std::abs(forward.z) < 0.9 ? glm::dvec3(0, 0, -1) : glm::dvec3(0, 1, 0);
+        side = glm::cross(forward, another_up);
     }
     const glm::dvec3 right = unit(side);
     return {right, glm::cross(right, forward), forward};

@@ -12,8 +12,19 @@ namespace sandbox {
 /// Rz Ry Rx S: the linear part of an object's transform (angles in degrees about the fixed axes, x first).
 glm::dmat3 linear_part(const Transform &transform);
 
+/// Is it a rotation or a mirror image that scales all lengths alike, to double's rounding? (Then the normal matrix is
+/// the matrix itself, but for a factor.)
+bool scales_evenly(const glm::dmat3 &linear);
+
 /// How far `point` (world space) is from the box around the transformed mesh that turns with it; 0 inside.
 double distance_to_bounds(const Transform &transform, const Bounds &bounds, const glm::dvec3 &point);
+
+/// Does the transform turn the mesh inside out, so that front faces run clockwise? (An odd number of scales below 0.)
+bool is_mirrored(const Transform &transform);
+
+/// Can no back face of the object be seen? True of a closed mesh that is neither flattened nor so near to the eye that
+/// the near plane's corners may reach into the box around it.
+bool back_faces_hidden(const Camera &camera, double aspect, const Transform &transform, const Mesh &mesh);
 
 /// Unit vectors of a camera in world space; `right`, `up` and `forward` are orthonormal.
 struct CameraAxes {

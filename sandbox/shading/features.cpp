@@ -31,19 +31,6 @@ Terms terms_of(const Light &light, const Technique &technique, const Material &m
             meets(material.specular) && light.specular != 0 && technique.model != Model::lambert};
 }
 
-/// Rows of a rigid (or uniformly scaled) linear part are orthogonal and equally long, to double's rounding.
-bool is_uniform(const glm::dmat3 &m) {
-    const glm::dmat3 gram = glm::transpose(m) * m;
-    const double scale = gram[0][0];
-    double off = 0;
-    for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) {
-            off = std::max(off, std::abs(gram[i][j] - (i == j ? scale : 0)));
-        }
-    }
-    return scale > 0 && off <= 1e-12 * scale;
-}
-
 /// Could the light lie on the object? Its position against the mesh's bounds, in object space, with some room.
 bool may_touch(const Light &light, const Object &object, const Mesh &mesh) {
     const glm::dmat3 linear = linear_part(object.transform);
@@ -237,7 +224,7 @@ void simplify(Features &f, const Technique &technique) {
 
 NormalTransform normal_transform(const Technique &technique, const Object &object) {
     const glm::dmat3 linear = linear_part(object.transform);
-    const bool uniform = is_uniform(linear);
+    const bool uniform = scales_evenly(linear);
     if (uniform && linear == glm::dmat3(linear[0][0]) && linear[0][0] > 0) {
         return NormalTransform::identity;
     }

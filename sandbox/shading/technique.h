@@ -1,28 +1,147 @@
 #pragma once
 
+#include "shading/technique_rules.h"
+
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
+#include <type_traits>
 
 /// How a scene is lit. Written `per-pixel/blinn-phong:power=stable`; the first value of every key is the default, and
 /// right; the others are faults (each from a source document or a well-known bug) or variants.
+///
+/// The table below is all that parsing, validation, help, the window and the full program's uniforms know of a key.
+/// A new value is an enumerator and the row beside it.
 namespace sandbox {
 
+struct TechniqueValue {
+    std::string_view name;                 ///< in commands and files: "model-matrix"
+    std::string_view title;                ///< in front of people: "model matrix"
+    std::string_view look_for;             ///< one line: what it does, what to look for
+    rules::CanMatter can_matter = nullptr; ///< nullptr: in every scene
+    rules::Refusal why_refused = nullptr;  ///< nullptr: allowed beside every other key
+};
+
+/// The enumerators that `rows` stand beside.
+template <class Enum, std::size_t N> constexpr std::array<Enum, N> enumerators(const TechniqueValue (&)[N]) {
+    std::array<Enum, N> all{};
+    for (std::size_t i = 0; i < N; ++i) {
+        all[i] = static_cast<Enum>(i);
+    }
+    return all;
+}
+
 enum class Frequency { flat, per_vertex, per_pixel, interpolated_vectors, hybrid };
+inline constexpr TechniqueValue frequency_values[]{
+    {"flat", "flat", "once a triangle, with the face's own normal at its centroid"},
+    {"per-vertex", "per vertex",
+     "Gouraud shading: at each vertex, the colour is interpolated; highlights smear or vanish"},
+    {"per-pixel", "per pixel", "Phong shading: position and normal are interpolated, the equation runs at each pixel"},
+    {"interpolated-vectors", "interpolated vectors",
+     "N, L, H (or R) and the distance are computed per vertex and interpolated"},
+    {"hybrid", "hybrid", "ambient and diffuse per vertex, specular per pixel"},
+};
+inline constexpr auto all_frequencies = enumerators<Frequency>(frequency_values);
+
 enum class Model { lambert, phong, blinn_phong };
+inline constexpr TechniqueValue model_values[]{
+    {"lambert", "Lambert", "diffuse only"},
+    {"phong", "Phong", "specular from the mirrored light direction: (R.V)^n"},
+    {"blinn-phong", "Blinn-Phong", "specular from the half vector: (N.H)^n"},
+};
+inline constexpr auto all_models = enumerators<Model>(model_values);
+/// What a reflection model's specular term is made of.
+struct Reflection {
+    bool specular;        ///< there is one
+    bool half_vector;     ///< H in place of R
+    bool scaled_exponent; ///< by the scene's blinn_exponent_scale
+};
+constexpr Reflection reflection(Model model) {
+    constexpr Reflection rows[]{{false, false, false}, {true, false, false}, {true, true, true}};
+    return rows[static_cast<int>(model)];
+}
+
 enum class Normals { inverse_transpose, model_matrix, untransformed };
+inline constexpr TechniqueValue normals_values[]{
+    {"inverse-transpose", "normal matrix", "right under every transform"},
+    {"model-matrix", "model matrix", "wrong under non-uniform scale: look at squashed objects",
+     rules::scales_normals_unevenly},
+    {"untransformed", "untransformed", "the light seems to turn with the object", rules::transforms_normals},
+};
+
 enum class Renormalize { on, off };
+inline constexpr TechniqueValue renormalize_values[]{
+    {"on", "on", "right"},
+    {"off", "off", "highlights dim in the middle of large triangles", rules::reads_normals_per_pixel,
+     rules::needs_interpolated_normals},
+};
+
 enum class LightingPosition { world, w0 };
+inline constexpr TechniqueValue position_values[]{
+    {"world", "world space", "right"},
+    {"w0", "without translation", "w = 0 drops the translation: objects are lit as if they stood at the origin",
+     rules::reads_translation},
+};
+
 enum class Gate { light_facing, view_facing, none };
+inline constexpr TechniqueValue gate_values[]{
+    {"light-facing", "N.L > 0", "right: N.L > 0"},
+    {"view-facing", "N.V > 0", "N.V > 0: highlights on surfaces that the light cannot reach", rules::has_specular,
+     rules::needs_specular},
+    {"none", "none", "no test: highlights shine through from behind", rules::has_specular, rules::needs_specular},
+};
+
 enum class Viewer { local, infinite };
+inline constexpr TechniqueValue viewer_values[]{
+    {"local", "local", "right: V from each point to the eye"},
+    {"infinite", "at infinity", "one V for the whole picture: highlights drift towards the edges", rules::reads_view},
+};
+
 enum class HalfVector { exact, constant };
+inline constexpr TechniqueValue half_vector_values[]{
+    {"exact", "exact", "right: from each point's own L and V"},
+    {"constant", "one per light", "one per light, from the origin: a point light's highlight sits in the wrong place",
+     rules::has_specular, rules::needs_half_vector},
+};
+
 enum class AmbientWhere { everywhere, where_lit };
+inline constexpr TechniqueValue ambient_values[]{
+    {"everywhere", "everywhere", "right"},
+    {"where-lit", "only where lit", "only where N.L > 0: a step along the terminator", rules::has_light_ambient},
+};
+
 enum class DirectionSign { travel, unnegated_diffuse };
+inline constexpr TechniqueValue direction_values[]{
+    {"travel", "negated", "right: it points the way light travels"},
+    {"unnegated-diffuse", "not negated for diffuse", "diffuse uses N.D: the side away from the light is lit",
+     rules::has_directional_diffuse},
+};
+
 enum class AttenuationAt { exact, interpolated, distance_interpolated };
+inline constexpr TechniqueValue attenuation_values[]{
+    {"exact", "exact", "from the distance of the point that is shaded"},
+    {"interpolated", "interpolated", "per vertex, then interpolated: wrong on large triangles",
+     rules::attenuates_per_pixel, rules::needs_attenuation_per_pixel},
+    {"distance-interpolated", "interpolated distance",
+     "from the interpolated distance: wrong on large triangles, less so", rules::attenuates_per_pixel,
+     rules::needs_exact_distances},
+};
+
 enum class Power { automatic, textbook, stable };
+inline constexpr TechniqueValue power_values[]{
+    {"auto", "automatic", "pow() below n = 1024, the stable form from there"},
+    {"textbook", "textbook", "pow(): its error grows with n", rules::raises_large_exponents},
+    {"stable", "stable", "exp(n log(1 - x)) from the small quantity x itself", rules::raises_small_exponents},
+};
+
 enum class Program { specialised, full };
+inline constexpr TechniqueValue program_values[]{
+    {"specialised", "specialised", "only what this scene needs"},
+    {"full", "full", "one program per frequency that branches on uniforms"},
+};
 
 struct Technique {
     Frequency frequency = Frequency::per_pixel;
@@ -41,32 +160,91 @@ struct Technique {
     bool operator==(const Technique &) const = default;
 };
 
-/// One row of the table that parsing, printing, validation, help and the window's toggles are all made from.
 struct TechniqueKey {
-    struct Value {
-        std::string_view name;
-        std::string_view look_for; ///< one line: what it does, what to look for
-    };
-    std::string_view name; ///< "normals"
+    enum class Kind { choice, fault, variant }; ///< choice: no value is more right than another
+    std::string_view name;                      ///< "half_vector"
+    std::string_view title;                     ///< "half vector"
     std::string_view doc;
-    std::vector<Value> values; ///< the first is the default
-    bool fault;                ///< its other values are faults (not power, program)
-    int (*get)(const Technique &);
+    Kind kind;
+    std::span<const TechniqueValue> values; ///< the first is the default
+    int (*get)(const Technique &);          ///< index of its value
     void (*set)(Technique &, int);
+    std::string_view uniform; ///< the int of the full program that holds the index; empty: it has none
+
+    [[nodiscard]] bool is_fault() const { return kind == Kind::fault; }
+    [[nodiscard]] const TechniqueValue &value(const Technique &technique) const {
+        return values[static_cast<std::size_t>(get(technique))];
+    }
 };
 
-/// "frequency" and "model" first, then the keys in interface order.
+template <auto Member>
+constexpr TechniqueKey technique_key(TechniqueKey::Kind kind, std::string_view name, std::string_view title,
+                                     std::string_view doc, std::span<const TechniqueValue> values,
+                                     std::string_view uniform = {}) {
+    using Value = std::remove_cvref_t<decltype(Technique{}.*Member)>;
+    return {name,
+            title,
+            doc,
+            kind,
+            values,
+            [](const Technique &technique) { return static_cast<int>(technique.*Member); },
+            [](Technique &technique, int value) { technique.*Member = static_cast<Value>(value); },
+            uniform};
+}
+template <auto Member> constexpr TechniqueKey choice_key(const auto &...row) {
+    return technique_key<Member>(TechniqueKey::Kind::choice, row...);
+}
+template <auto Member> constexpr TechniqueKey fault_key(const auto &...row) {
+    return technique_key<Member>(TechniqueKey::Kind::fault, row...);
+}
+template <auto Member> constexpr TechniqueKey variant_key(const auto &...row) {
+    return technique_key<Member>(TechniqueKey::Kind::variant, row...);
+}
+
+inline constexpr TechniqueKey frequency_key = choice_key<&Technique::frequency>(
+    "frequency", "frequency", "where the lighting equation is evaluated", frequency_values);
+inline constexpr TechniqueKey model_key =
+    choice_key<&Technique::model>("model", "model", "the reflection model", model_values, "model_kind");
+/// The keys that are written key=value, in the interface's order.
+inline constexpr TechniqueKey technique_settings[]{
+    fault_key<&Technique::normals>("normals", "normals", "how normals go to world space", normals_values),
+    fault_key<&Technique::renormalize>("renormalize", "renormalize",
+                                       "make the interpolated normal unit again per pixel", renormalize_values,
+                                       "renormalize_off"),
+    fault_key<&Technique::position>("position", "position", "where lighting takes the surface to be", position_values,
+                                    "position_w0"),
+    fault_key<&Technique::gate>("gate", "specular gate", "where specular light is allowed", gate_values, "gate"),
+    fault_key<&Technique::viewer>("viewer", "viewer", "the direction to the viewer", viewer_values, "viewer_infinite"),
+    fault_key<&Technique::half_vector>("half_vector", "half vector", "the half vector of a light", half_vector_values,
+                                       "half_vector_constant"),
+    fault_key<&Technique::ambient>("ambient", "ambient", "where a light's ambient term is added", ambient_values,
+                                   "ambient_where_lit"),
+    fault_key<&Technique::direction>("direction", "light direction", "the sign of a directional light's direction",
+                                     direction_values, "unnegated_diffuse"),
+    fault_key<&Technique::attenuation>("attenuation", "attenuation", "where attenuation is computed",
+                                       attenuation_values),
+    variant_key<&Technique::power>("power", "power", "how f^n is computed in float32", power_values, "power_kind"),
+    variant_key<&Technique::program>("program", "program", "the GLSL program", program_values),
+};
+
+/// Frequency, model, then the settings.
 std::span<const TechniqueKey> technique_keys();
 
 /// Throws InputError naming the word that is wrong and what was expected; the result is valid.
 Technique parse_technique(std::string_view text);
 /// Only what differs from the defaults: parse_technique(to_string(t)) == t.
 std::string to_string(const Technique &technique);
+/// For people: "per vertex, Phong; normals: model matrix (wrong)".
+std::string title_of(const Technique &technique);
+/// "normals: model matrix (wrong)"; of frequency and model the value's title alone.
+std::string title_of(const TechniqueKey &key, int value);
+
 /// Why the combination is refused (a key that can have no effect, say); nothing if it is valid.
 std::optional<std::string> why_refused(const Technique &technique);
-/// Can `key` hold anything but its default under this frequency and model?
-bool key_applies(const TechniqueKey &key, const Technique &technique);
-/// The same frequency and model with every key that cannot apply reset to its default.
+/// The same with every setting that is refused reset to its default.
 Technique nearest_valid(Technique technique);
+/// Can this value change the picture of the scene, the other keys being those of `technique`? Sharp enough to be told
+/// to people: where the answer is no, the reference draws the very picture of the key's default.
+bool can_matter(const TechniqueKey &key, int value, const Scene &scene, const Technique &technique);
 
 } // namespace sandbox

@@ -15,14 +15,13 @@ constexpr int plain = 0;
 constexpr int shift = GLFW_MOD_SHIFT;
 constexpr int control = GLFW_MOD_CONTROL;
 
-void next_value(Session &session, std::size_t key_index, bool right) {
-    const TechniqueKey &key = technique_keys()[key_index];
+void next_value(Session &session, const TechniqueKey &key, bool right) {
     Technique &technique = session.technique(right);
     set_key(technique, key, (key.get(technique) + 1) % static_cast<int>(key.values.size()));
 }
 
-template <bool Right> void next_frequency(Session &s) { next_value(s, 0, Right); }
-template <bool Right> void next_model(Session &s) { next_value(s, 1, Right); }
+template <bool Right> void next_frequency(Session &s) { next_value(s, frequency_key, Right); }
+template <bool Right> void next_model(Session &s) { next_value(s, model_key, Right); }
 template <ViewMode Mode> void view(Session &s) { s.view.mode = Mode; }
 template <BottomTab Tab> void tab(Session &s) { toggle_tab(s, Tab); }
 

@@ -132,7 +132,7 @@ Technique random_technique(unsigned seed) {
             const int count = static_cast<int>(key.values.size());
             // Frequency, model, power, program anyhow; faults one in three, so that many are seen alone.
             const int value = dice.below(count);
-            key.set(technique, key.fault && !dice.one_in(3) ? 0 : value);
+            key.set(technique, key.is_fault() && !dice.one_in(3) ? 0 : value);
         }
         if (!why_refused(technique)) {
             return technique;

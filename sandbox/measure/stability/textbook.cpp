@@ -40,6 +40,18 @@ TextbookObject transformed(const Object &object, const Mesh &mesh) {
     return out;
 }
 
+float highlight_cosine(Model model, const glm::vec3 &n, const glm::vec3 &l, const glm::vec3 &v) {
+    switch (model) {
+    case Model::lambert:
+        break;
+    case Model::phong:
+        return glm::dot(glm::reflect(-l, n), v);
+    case Model::blinn_phong:
+        return glm::dot(n, glm::normalize(l + v));
+    }
+    return 0;
+}
+
 /// All that one light adds at one point.
 glm::vec3 light_sum(const Light &light, const Material &material, float shininess, Model model, const glm::vec3 &p,
                     const glm::vec3 &n, const glm::vec3 &v) {
@@ -63,10 +75,9 @@ glm::vec3 light_sum(const Light &light, const Material &material, float shinines
     const glm::vec3 color(light.color);
     const float n_dot_l = glm::dot(n, l);
     glm::vec3 sum = glm::vec3(material.diffuse) * color * (static_cast<float>(light.diffuse) * glm::max(n_dot_l, 0.0F));
-    if (model != Model::lambert && n_dot_l > 0) {
-        const float f = model == Model::phong ? glm::dot(glm::reflect(-l, n), v) : glm::dot(n, glm::normalize(l + v));
-        sum += glm::vec3(material.specular) * color *
-               (static_cast<float>(light.specular) * power(glm::max(f, 0.0F), shininess));
+    if (reflection(model).specular && n_dot_l > 0) {
+        const float f = glm::max(highlight_cosine(model, n, l, v), 0.0F);
+        sum += glm::vec3(material.specular) * color * (static_cast<float>(light.specular) * power(f, shininess));
     }
     const glm::vec3 ambient = glm::vec3(material.ambient) * color * static_cast<float>(light.ambient);
     return light.attenuate_ambient ? strength * (ambient + sum) : ambient + strength * sum;
@@ -91,7 +102,7 @@ class TextbookScene {
         glm::vec3 n = glm::normalize(blend(world.normals));
         const glm::vec3 v = glm::normalize(eye_ - p);
         n = object.two_sided && glm::dot(n, v) < 0 ? -n : n;
-        const double scale = model_ == Model::blinn_phong ? scene_.blinn_exponent_scale : 1;
+        const double scale = reflection(model_).scaled_exponent ? scene_.blinn_exponent_scale : 1;
         const auto shininess = static_cast<float>(scale * object.material.shininess);
         glm::vec3 sum = glm::vec3(object.material.emission) + glm::vec3(object.material.ambient * scene_.ambient);
         for (const Light &light : scene_.lights) {

@@ -9,10 +9,6 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-std::string_view value_name(std::size_t key, int value) {
-    return technique_keys()[key].values[static_cast<std::size_t>(value)].name;
-}
-
 TimeAndError time_and_error(const MeasuredRow &row, Model model, ErrorNorm norm) {
     const bool asked = row.complete() && is_base(row) && row.plan.technique.model == model;
     return asked ? TimeAndError{row.time->median, value_of(row.errors->total.norms, norm)}
@@ -67,8 +63,8 @@ std::string_view name_of(ErrorNorm norm) {
 double value_of(const Norms &norms, ErrorNorm norm) {
     return norm == ErrorNorm::rmse ? norms.rmse : norm == ErrorNorm::p99 ? norms.p99_abs : norms.max_abs;
 }
-std::string_view name_of(Frequency frequency) { return value_name(0, static_cast<int>(frequency)); }
-std::string_view name_of(Model model) { return value_name(1, static_cast<int>(model)); }
+std::string_view name_of(Frequency frequency) { return frequency_values[static_cast<std::size_t>(frequency)].name; }
+std::string_view name_of(Model model) { return model_values[static_cast<std::size_t>(model)].name; }
 std::string_view name_of(RowGroup group) {
     constexpr std::string_view names[]{"ladder", "own-mesh", "full-program", "power", "claim"};
     return names[static_cast<std::size_t>(group)];
@@ -92,7 +88,7 @@ bool is_base(const MeasuredRow &row) {
 
 std::vector<Model> models_of(const WorkPrecision &measured) {
     std::vector<Model> models;
-    for (const Model model : {Model::lambert, Model::phong, Model::blinn_phong}) {
+    for (const Model model : all_models) {
         if (std::ranges::any_of(measured.rows, [&](const auto &row) { return row.plan.technique.model == model; })) {
             models.push_back(model);
         }

@@ -68,10 +68,6 @@ void rescale(BoxShape &shape, const Rescale &to) { shape.divisions = to(shape.di
 void rescale(PlaneShape &shape, const Rescale &to) { shape.divisions = to(shape.divisions, 1, most_plane_divisions); }
 void rescale(ObjShape &, const Rescale &) {}
 
-constexpr Frequency frequencies[]{Frequency::flat, Frequency::per_vertex, Frequency::per_pixel,
-                                  Frequency::interpolated_vectors, Frequency::hybrid};
-constexpr Model models[]{Model::lambert, Model::phong, Model::blinn_phong};
-
 /// A full program chooses at run time, so its features say little: it is as its specialised twin is.
 Technique specialised(Technique technique) {
     technique.program = Program::specialised;
@@ -112,8 +108,8 @@ class Chosen {
 };
 
 void for_frequencies_and_models(const std::function<void(const Technique &)> &visit) {
-    for (const Model model : models) {
-        for (const Frequency frequency : frequencies) {
+    for (const Model model : all_models) {
+        for (const Frequency frequency : all_frequencies) {
             Technique technique;
             technique.frequency = frequency;
             technique.model = model;
@@ -136,7 +132,7 @@ void add_variants(Chosen &chosen) {
         variant(&Technique::program, Program::full, RowGroup::full_program);
         variant(&Technique::attenuation, AttenuationAt::interpolated, RowGroup::claim);
         variant(&Technique::attenuation, AttenuationAt::distance_interpolated, RowGroup::claim);
-        if (t.model == Model::lambert || t.frequency == Frequency::flat) {
+        if (!reflection(t.model).specular || t.frequency == Frequency::flat) {
             return; // no exponent and no viewer; no smooth picture
         }
         variant(&Technique::viewer, Viewer::infinite, RowGroup::claim);

@@ -10,7 +10,7 @@ namespace {
 int faults_on(const Technique &technique) {
     int count = 0;
     for (const TechniqueKey &key : technique_keys()) {
-        count += key.fault && key.get(technique) != 0 ? 1 : 0;
+        count += key.is_fault() && key.get(technique) != 0 ? 1 : 0;
     }
     return count;
 }

@@ -3,7 +3,6 @@
 #include "ui/widgets/widgets.h"
 
 #include <imgui.h>
-#include <string>
 
 namespace sandbox {
 
@@ -18,11 +17,11 @@ void heading_row(const char *text) {
 void key_rows(Session &session, const TechniqueKey &key, const char *title) {
     heading_row(title);
     for (int value = 0; value < static_cast<int>(key.values.size()); ++value) {
-        technique_row(session, key, value, false);
+        technique_row(session, key, value);
     }
 }
 
-/// Where A is drawn on the processor: says so, and the way out of it.
+/// Says that A is drawn on the processor, where it is; unticking the box ends that.
 void textbook_row(Session &session) {
     bool textbook = session.document.left_is_textbook();
     if (textbook && ImGui::Checkbox("A: a textbook's float32, on the processor", &textbook)) {
@@ -34,19 +33,21 @@ void textbook_row(Session &session) {
 
 void technique_panel(Session &session) {
     textbook_row(session);
-    const auto keys = technique_keys();
     if (!begin_technique_table("technique")) {
         return;
     }
-    key_rows(session, keys[0], "Frequency: where the equation runs");
-    key_rows(session, keys[1], "Reflection model");
+    key_rows(session, frequency_key, "Frequency: where the equation runs");
+    key_rows(session, model_key, "Reflection model");
     heading_row("Variants");
-    for (const TechniqueKey &key : keys.subspan(2)) {
-        for (int value = 1; !key.fault && value < static_cast<int>(key.values.size()); ++value) {
-            technique_row(session, key, value, true);
-        }
-    }
+    setting_rows(session, TechniqueKey::Kind::variant);
     end_technique_table();
+}
+
+void faults_panel(Session &session) {
+    if (begin_technique_table("faults")) {
+        setting_rows(session, TechniqueKey::Kind::fault);
+        end_technique_table();
+    }
 }
 
 } // namespace sandbox

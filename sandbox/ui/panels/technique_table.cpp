@@ -5,6 +5,8 @@
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
+#include <algorithm>
+#include <fmt/format.h>
 #include <imgui.h>
 #include <string>
 
@@ -12,39 +14,50 @@ namespace sandbox {
 
 namespace {
 
-std::string row_text(const TechniqueKey &key, int value, bool square) {
-    const std::string name(key.values[static_cast<std::size_t>(value)].name);
-    return square ? std::string(key.name) + ": " + name : name;
+/// "normals=model-matrix: wrong under non-uniform scale.": the words of commands and files.
+std::string value_hint(const TechniqueKey &key, int value) {
+    const TechniqueValue &row = key.values[static_cast<std::size_t>(value)];
+    return key.kind == TechniqueKey::Kind::choice ? fmt::format("{}: {}.", row.name, row.look_for)
+                                                  : fmt::format("{}={}: {}.", key.name, row.name, row.look_for);
 }
 
 /// The mark of one side; true when clicked.
-bool mark(const TechniqueKey &key, int value, bool square, const Technique &technique) {
-    const bool set = key.get(technique) == value;
-    if (!square) {
+bool mark(const TechniqueKey &key, bool set) {
+    if (key.kind == TechniqueKey::Kind::choice) {
         return ImGui::RadioButton("##mark", set) && !set;
     }
     bool on = set;
     return ImGui::Checkbox("##mark", &on);
 }
 
-void side_cell(Session &session, const TechniqueKey &key, int value, bool square, bool right) {
+void side_cell(Session &session, const TechniqueKey &key, int value, bool right) {
     Technique &technique = session.technique(right);
     if (!value_open(key, value, session.document.scene, technique)) {
         return;
     }
+    const bool set = key.get(technique) == value;
     ImGui::PushID(right ? 1 : 0);
     ImGui::PushStyleColor(ImGuiCol_CheckMark, side_color(right));
-    if (mark(key, value, square, technique)) {
-        set_key(technique, key, key.get(technique) == value ? 0 : value);
+    if (mark(key, set)) {
+        set_key(technique, key, set ? 0 : value);
     }
     ImGui::PopStyleColor();
-    hint_for_item(session, std::string(right ? "B" : "A") + ", " + std::string(key.name) + ": " +
-                               std::string(key.values[static_cast<std::size_t>(value)].look_for) + ".");
+    hint_for_item(session, fmt::format("{}, {}", right ? "B" : "A", value_hint(key, value)));
     ImGui::PopID();
 }
 
-bool set_somewhere(const Session &session, const TechniqueKey &key, int value) {
-    return key.get(session.document.left) == value || key.get(session.document.right) == value;
+void label_cell(Session &session, const TechniqueKey &key, int value, bool effect) {
+    const Document &document = session.document;
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextColored(effect ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : quiet_text(), "%s",
+                       title_of(key, value).c_str());
+    hint_for_item(session, value_hint(key, value));
+    const bool set = key.get(document.left) == value || key.get(document.right) == value;
+    if (!effect) {
+        wrapped_text(quiet_text(), "no effect here");
+    } else if (set && key.kind != TechniqueKey::Kind::choice) {
+        wrapped_text(quiet_text(), std::string(key.values[static_cast<std::size_t>(value)].look_for));
+    }
 }
 
 } // namespace
@@ -69,29 +82,32 @@ bool begin_technique_table(const char *id) {
 
 void end_technique_table() { ImGui::EndTable(); }
 
-void technique_row(Session &session, const TechniqueKey &key, int value, bool square) {
-    const Scene &scene = session.document.scene;
-    if (!value_open(key, value, scene, session.document.left) &&
-        !value_open(key, value, scene, session.document.right)) {
+void technique_row(Session &session, const TechniqueKey &key, int value) {
+    const Document &document = session.document;
+    const ValueUse best = std::max(value_use(key, value, document.scene, document.left),
+                                   value_use(key, value, document.scene, document.right));
+    if (best == ValueUse::refused) {
         return;
     }
-    ImGui::PushID(&key);
+    ImGui::PushID(key.name.data());
     ImGui::PushID(value);
     ImGui::TableNextRow();
     ImGui::TableSetColumnIndex(0);
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(row_text(key, value, square).c_str());
-    const std::string look_for(key.values[static_cast<std::size_t>(value)].look_for);
-    hint_for_item(session, std::string(key.name) + ": " + look_for + ".");
-    if (square && set_somewhere(session, key, value)) {
-        wrapped_text(quiet_text(), look_for); // the fault is on
-    }
+    label_cell(session, key, value, best == ValueUse::open);
     for (const bool right : {false, true}) {
         ImGui::TableSetColumnIndex(right ? 2 : 1);
-        side_cell(session, key, value, square, right);
+        side_cell(session, key, value, right);
     }
     ImGui::PopID();
     ImGui::PopID();
+}
+
+void setting_rows(Session &session, TechniqueKey::Kind kind) {
+    for (const TechniqueKey &key : technique_settings) {
+        for (int value = 1; key.kind == kind && value < static_cast<int>(key.values.size()); ++value) {
+            technique_row(session, key, value);
+        }
+    }
 }
 
 } // namespace sandbox

@@ -8,8 +8,12 @@ namespace sandbox {
 bool begin_technique_table(const char *id);
 void end_technique_table();
 
-/// One row: `value` of `key`. Round marks choose among values; square ones switch a value on and off (off is the key's
-/// default). No row where neither side can use it; no mark on a side that cannot.
-void technique_row(Session &session, const TechniqueKey &key, int value, bool square);
+/// One row: `value` of `key`. Round marks choose among frequencies and models; square ones switch a setting on and off
+/// (off is the key's default). No row where both sides refuse the value; "no effect here" where no side's picture of
+/// this scene can show it; no mark on a side that cannot use it.
+void technique_row(Session &session, const TechniqueKey &key, int value);
+
+/// A row for each value but the default of all settings of this kind.
+void setting_rows(Session &session, TechniqueKey::Kind kind);
 
 } // namespace sandbox

@@ -40,9 +40,14 @@ MaterialControls material_controls(const Scene &scene, std::size_t object, const
                                    const Technique &right);
 SceneControls scene_controls(const Scene &scene, const Technique &left, const Technique &right);
 
-/// Can this value of a key change the picture of this scene under this technique? False where the technique would be
-/// refused, and where nothing in the scene asks for it: the sign of directions without a directional light, say.
-/// True for the value that is set, so that it can be seen and left.
+/// What one value of a technique key is good for, under the other keys of a technique.
+enum class ValueUse {
+    refused,   ///< the frequency, the model or another key rules it out
+    no_effect, ///< nothing in this scene shows it
+    open
+};
+ValueUse value_use(const TechniqueKey &key, int value, const Scene &scene, Technique technique);
+/// May the value be clicked? Where it is open, and where it is set, so that it can be seen and left.
 bool value_open(const TechniqueKey &key, int value, const Scene &scene, const Technique &technique);
 
 } // namespace sandbox

@@ -23,6 +23,18 @@ Scene scene_with(const std::vector<Light> &lights) {
     return scene;
 }
 
+/// Lights with all terms that fade, on an object that is moved, turned and squashed.
+Scene scene_that_shows_all(const std::vector<LightType> &types) {
+    Scene scene = scene_with({});
+    scene.objects[0].transform = {{1, 0, 0}, {0, 30, 0}, {1, 2, 1}};
+    for (const LightType type : types) {
+        scene.lights.push_back(light_of(type));
+        scene.lights.back().ambient = 0.1;
+        scene.lights.back().attenuation.linear = 0.1;
+    }
+    return scene;
+}
+
 const TechniqueKey &key_of(std::string_view name) {
     return *std::ranges::find(technique_keys(), name, &TechniqueKey::name);
 }
@@ -114,8 +126,8 @@ TEST(UsableControls, ModulatingTheHighlightNeedsASurfaceAndAHighlight) {
 }
 
 TEST(UsableControls, KeysAreOfferedWhereTheSceneAsksForThem) {
-    const Scene points = scene_with({light_of(LightType::point)});
-    const Scene sun = scene_with({light_of(LightType::directional)});
+    const Scene points = scene_that_shows_all({LightType::point});
+    const Scene sun = scene_that_shows_all({LightType::directional});
     EXPECT_FALSE(value_open(key_of("direction"), 1, points, phong));
     EXPECT_TRUE(value_open(key_of("direction"), 1, sun, phong));
     EXPECT_TRUE(value_open(key_of("attenuation"), 1, points, phong));
@@ -128,13 +140,41 @@ TEST(UsableControls, KeysAreOfferedWhereTheSceneAsksForThem) {
 }
 
 TEST(UsableControls, KeysAreNotOfferedWhereTheTechniqueRefusesThem) {
-    const Scene scene = scene_with({light_of(LightType::point)});
+    const Scene scene = scene_that_shows_all({LightType::point});
     EXPECT_FALSE(value_open(key_of("half_vector"), 1, scene, phong));
     EXPECT_TRUE(value_open(key_of("half_vector"), 1, scene, blinn));
     EXPECT_FALSE(value_open(key_of("renormalize"), 1, scene, parse_technique("per-vertex/phong")));
     EXPECT_FALSE(value_open(key_of("gate"), 2, scene, lambert));
     EXPECT_FALSE(value_open(key_of("attenuation"), 2, scene, parse_technique("interpolated-vectors/phong")));
     EXPECT_FALSE(value_open(key_of("program"), 1, scene, parse_technique("per-pixel/phong:attenuation=interpolated")));
+}
+
+TEST(UsableControls, ValuesThatNothingShowsHaveNoEffect) {
+    const auto use = [](const Scene &scene, std::string_view technique, std::string_view key, int value) {
+        return value_use(key_of(key), value, scene, parse_technique(technique));
+    };
+    const std::string pixel = "per-pixel/phong";
+    Scene scene = scene_that_shows_all({LightType::point});
+    EXPECT_EQ(use(scene, "per-vertex/phong", "renormalize", 1), ValueUse::refused);
+    for (const std::string_view key : {"normals", "position", "ambient", "attenuation", "viewer", "gate"}) {
+        EXPECT_EQ(use(scene, pixel, key, 1), ValueUse::open) << key;
+    }
+    scene.objects[0].transform.scale = {2, 2, 2};
+    EXPECT_EQ(use(scene, pixel, "normals", 1), ValueUse::no_effect);
+    EXPECT_EQ(use(scene, pixel, "normals", 2), ValueUse::open) << "it is turned";
+    scene.objects[0].transform = {};
+    EXPECT_EQ(use(scene, pixel, "normals", 2), ValueUse::no_effect);
+    EXPECT_EQ(use(scene, pixel, "position", 1), ValueUse::no_effect) << "it stands at the origin";
+    scene.lights[0].ambient = 0;
+    EXPECT_EQ(use(scene, pixel, "ambient", 1), ValueUse::no_effect);
+    scene.lights[0].attenuation = {0.5, 0, 0};
+    EXPECT_EQ(use(scene, pixel, "attenuation", 1), ValueUse::no_effect) << "the same at every distance";
+    scene.objects[0].material.specular = {0, 0, 0};
+    EXPECT_EQ(use(scene, pixel, "gate", 1), ValueUse::no_effect);
+    EXPECT_EQ(use(scene, pixel, "viewer", 1), ValueUse::no_effect);
+    scene.objects[0].two_sided = true;
+    EXPECT_EQ(use(scene, pixel, "viewer", 1), ValueUse::open) << "V says which side is seen";
+    EXPECT_EQ(use(scene, pixel, "power", 2), ValueUse::no_effect) << "no exponent is raised";
 }
 
 TEST(UsableControls, AValueThatIsSetCanBeSeenAndLeft) {
@@ -145,7 +185,7 @@ TEST(UsableControls, AValueThatIsSetCanBeSeenAndLeft) {
 }
 
 TEST(UsableControls, EveryOpenValueIsAValidTechnique) {
-    const Scene scene = scene_with({light_of(LightType::point), light_of(LightType::directional)});
+    const Scene scene = scene_that_shows_all({LightType::point, LightType::directional});
     int open = 0;
     for (const TechniqueKey &key : technique_keys()) {
         for (const Technique &from : {lambert, phong, blinn, parse_technique("flat/phong")}) {
