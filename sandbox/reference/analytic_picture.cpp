@@ -1,6 +1,7 @@
+#include "reference/analytic_picture.h"
+
 #include "image/error.h"
 #include "reference/analytic.h"
-#include "reference/picture.h"
 #include "reference/raster.h"
 #include "reference/surface.h"
 #include "scene/space.h"
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fmt/format.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -20,7 +22,7 @@ constexpr int band_rows = 16;
 
 struct AnalyticObject {
     const Object *object = nullptr;
-    Placement placement;
+    WorldTransform to_world;
     glm::dmat3 inverse{1};
     BaseColor base;
 };
@@ -30,6 +32,9 @@ struct Seen {
     std::uint32_t object = 0; ///< 0 background, i + 1 objects[i]
     ShapeHit hit;
 };
+
+/// Another object or another face: an outline or a crease runs between the two.
+bool differs(const Seen &a, const Seen &b) { return a.object != b.object || a.hit.part != b.hit.part; }
 
 /// Rays from the eye, scaled so that t is the distance along the camera's axis.
 struct Eye {
@@ -49,67 +54,43 @@ struct Eye {
 };
 
 std::optional<ShapeHit> hit_object(const AnalyticObject &object, const Eye &eye, const glm::dvec3 &direction) {
-    return intersect(object.object->mesh, object.inverse * -object.placement.offset, object.inverse * direction,
+    return intersect(object.object->mesh, object.inverse * -object.to_world.offset, object.inverse * direction,
                      eye.near, eye.far);
 }
 
 /// One shape around a pixel's centre.
 class ShapeSampler : public Sampler {
   public:
-    ShapeSampler(const Setup &setup, const AnalyticObject &object, const Eye &eye, const ShapeHit &hit, double x,
+    ShapeSampler(const Setup &setup, const AnalyticObject &shape, const Eye &eye, const ShapeHit &hit, double x,
                  double y)
-        : setup_(setup), object_(object), eye_(eye), hit_(hit), x_(x), y_(y) {}
+        : Sampler(setup, *shape.object), shape_(shape), eye_(eye), hit_(hit), x_(x), y_(y) {}
 
     [[nodiscard]] ShapeHit hit_at(double dx, double dy) const {
-        const auto hit = dx == 0 && dy == 0 ? hit_ : hit_object(object_, eye_, eye_.direction(x_ + dx, y_ + dy));
+        const auto hit = dx == 0 && dy == 0 ? hit_ : hit_object(shape_, eye_, eye_.direction(x_ + dx, y_ + dy));
         return hit && hit->part == hit_.part ? *hit : hit_;
     }
 
-    [[nodiscard]] Place at(double dx, double dy) const override {
+    [[nodiscard]] SurfacePoint point_at(double dx, double dy) const override {
         const ShapeHit hit = hit_at(dx, dy);
-        Place place;
-        place.position = object_.placement.lit(hit.position);
-        place.raw_normal = transform_normal(object_.placement.normals, hit.normal);
-        place.view = view_vector(setup_, place.position);
-        place.normal = facing(object_.object->two_sided, place.raw_normal, place.view);
-        return place;
+        return surface_point(shape_.to_world.lit(hit.position), transform_normal(shape_.to_world.normals, hit.normal));
     }
 
-    [[nodiscard]] LightVectors vectors(const Place &place, std::size_t light) const override {
-        return light_vectors(setup_, setup_.lights[light], place.position, place.normal, place.view);
-    }
+    [[nodiscard]] glm::dvec3 base() const { return shape_.base.color_at(hit_.uv, hit_.position); }
 
-    [[nodiscard]] glm::dvec3 base() const { return object_.base.at(hit_.uv, hit_.position); }
+    [[nodiscard]] glm::dvec3 color() const {
+        const Reflected reflected = reflect(Terms::all, point_at(0, 0));
+        return compose(object_.material, base(), reflected);
+    }
 
     [[nodiscard]] bool unstable() const {
-        const Place here = at(0, 0);
-        return checker_unstable() ||
-               may_jump(setup_, object_.object->material, object_.object->two_sided, Terms::all, here, *this);
+        const bool cells =
+            shape_.base.has_cells() && shape_.base.cell_may_change(hit_.position, hit_at(edge_width, 0).position,
+                                                                   hit_at(0, edge_width).position, glm::dvec3(0));
+        return cells || may_jump(Terms::all, point_at(0, 0));
     }
 
   private:
-    [[nodiscard]] bool checker_unstable() const {
-        const Checker *checker = object_.base.checker;
-        if (checker == nullptr || checker->colors[0] == checker->colors[1]) {
-            return false;
-        }
-        const auto cells = [&](const ShapeHit &hit) {
-            return checker_coordinates(*checker, object_.base.half_extent, hit.position);
-        };
-        const glm::dvec3 here = cells(hit_);
-        const glm::dvec3 change =
-            glm::abs(cells(hit_at(edge_width, 0)) - here) + glm::abs(cells(hit_at(0, edge_width)) - here);
-        for (int axis = 0; axis < 3; ++axis) {
-            const double boundary = std::round(here[axis]);
-            if (boundary > 0 && boundary < checker->cells && std::abs(here[axis] - boundary) < change[axis]) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    const Setup &setup_;
-    const AnalyticObject &object_;
+    const AnalyticObject &shape_;
     const Eye &eye_;
     const ShapeHit &hit_;
     double x_, y_;
@@ -117,14 +98,17 @@ class ShapeSampler : public Sampler {
 
 AnalyticObject prepare_object(const Setup &setup, const Object &object, const ObjectResources &resources) {
     if (const auto *obj = std::get_if<ObjShape>(&object.mesh)) {
-        throw InputError("--surface analytic: " + object.name + " is the mesh " + obj->path +
-                         ", which has no analytic surface; use --surface mesh");
+        throw InputError(fmt::format("--surface analytic: {} is the mesh {}, which has no analytic surface; use "
+                                     "--surface mesh",
+                                     object.name, obj->path));
     }
-    AnalyticObject prepared{&object, place(object.transform, setup), glm::dmat3(1), base_color(object, resources)};
+    AnalyticObject prepared{&object, world_transform(object.transform, setup), glm::dmat3(1),
+                            base_color(object, resources)};
     const glm::dvec3 &scale = object.transform.scale;
     if (scale.x == 0 || scale.y == 0 || scale.z == 0) {
-        throw InputError("--surface analytic: " + object.name +
-                         " is flattened by a scale of 0 and has no analytic surface; use --surface mesh");
+        throw InputError(fmt::format("--surface analytic: {} is flattened by a scale of 0 and has no analytic "
+                                     "surface; use --surface mesh",
+                                     object.name));
     }
     // (R S)^-1 = S^-1 R^T: exact under any scale.
     Transform rotation = object.transform;
@@ -166,15 +150,17 @@ class AnalyticPicture : public Picture {
         if (seen.object == 0) {
             return {};
         }
-        const AnalyticObject &object = objects_[seen.object - 1];
-        const ShapeSampler sampler(setup_, object, eye_, seen.hit, x + 0.5, y + 0.5);
-        PixelProbe probe = probe_place(setup_, object.object->material, sampler.at(0, 0), sampler);
-        probe.object = seen.object - 1;
-        probe.base = sampler.base();
-        probe.color = color(object, sampler);
-        probe.edge = at_edge(seen, x + 0.5, y + 0.5);
-        probe.jump = sampler.unstable();
-        return probe;
+        const ShapeSampler sampler(setup_, objects_[seen.object - 1], eye_, seen.hit, x + 0.5, y + 0.5);
+        const SurfacePoint point = sampler.point_at(0, 0);
+        return PixelProbe{.object = seen.object - 1,
+                          .position = point.position + setup_.eye,
+                          .normal = point.normal,
+                          .view = point.view,
+                          .base = sampler.base(),
+                          .lights = sampler.probe_lights(point),
+                          .color = sampler.color(),
+                          .edge = at_edge(seen, x + 0.5, y + 0.5),
+                          .jump = sampler.unstable()};
     }
 
   private:
@@ -190,19 +176,12 @@ class AnalyticPicture : public Picture {
         return seen;
     }
 
-    [[nodiscard]] glm::dvec3 color(const AnalyticObject &object, const ShapeSampler &sampler) const {
-        const Material &material = object.object->material;
-        return compose(material, sampler.base(), reflect(setup_, material, Terms::all, sampler.at(0, 0), sampler));
-    }
-
-    /// Another object or another face within edge_width: an outline or a crease.
+    /// Does an outline or a crease run within edge_width?
     [[nodiscard]] bool at_edge(const Seen &seen, double x, double y) const {
         constexpr std::array<glm::dvec2, 4> around{
             glm::dvec2{edge_width, 0}, {-edge_width, 0}, {0, edge_width}, {0, -edge_width}};
-        return std::ranges::any_of(around, [&](const glm::dvec2 &step) {
-            const Seen other = see(x + step.x, y + step.y);
-            return other.object != seen.object || other.hit.part != seen.hit.part;
-        });
+        return std::ranges::any_of(around,
+                                   [&](const glm::dvec2 &step) { return differs(see(x + step.x, y + step.y), seen); });
     }
 
     /// What whole rows see, one more above and below than a band has.
@@ -218,7 +197,7 @@ class AnalyticPicture : public Picture {
             const Seen &here = at(x, y);
             for (int j = std::max(y - 1, first); j <= std::min(y + 1, end - 1); ++j) {
                 for (int i = std::max(x - 1, 0); i <= std::min(x + 1, width - 1); ++i) {
-                    if (at(i, j).object != here.object || at(i, j).hit.part != here.hit.part) {
+                    if (differs(at(i, j), here)) {
                         return true;
                     }
                 }
@@ -246,9 +225,8 @@ class AnalyticPicture : public Picture {
         if (seen.object == 0) {
             return;
         }
-        const AnalyticObject &object = objects_[seen.object - 1];
-        const ShapeSampler sampler(setup_, object, eye_, seen.hit, x + 0.5, y + 0.5);
-        frame.color[pixel] = color(object, sampler);
+        const ShapeSampler sampler(setup_, objects_[seen.object - 1], eye_, seen.hit, x + 0.5, y + 0.5);
+        frame.color[pixel] = sampler.color();
         frame.object_ids[pixel] = seen.object;
         frame.jump[pixel] = sampler.unstable() ? 1 : 0;
     }
@@ -264,9 +242,9 @@ class AnalyticPicture : public Picture {
 std::unique_ptr<Picture> analytic_picture(const Scene &scene, const std::vector<ObjectResources> &resources,
                                           const Technique &technique, Size size) {
     if (technique.frequency != Frequency::per_pixel || technique.attenuation != AttenuationAt::exact) {
-        throw InputError("--surface analytic: " + to_string(technique) +
-                         " needs vertices, which an analytic surface has not; use a per-pixel technique with "
-                         "attenuation=exact, or --surface mesh");
+        throw InputError(fmt::format("--surface analytic: {} needs vertices, which an analytic surface has not; use "
+                                     "a per-pixel technique with attenuation=exact, or --surface mesh",
+                                     to_string(technique)));
     }
     return std::make_unique<AnalyticPicture>(scene, resources, technique, size);
 }

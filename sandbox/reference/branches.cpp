@@ -12,7 +12,6 @@ namespace sandbox::reference {
 
 namespace {
 
-constexpr double rounding = 8 * 0x1p-24;  ///< 8 units of float32 at 1
 constexpr double negligible = 1e-6;       ///< a jump that no figure shows
 constexpr double far_from_a_branch = 0.1; ///< N.L and cosines do not change as much over edge_width
 constexpr double steep_exponent = 0.5;    ///< f^n with a smaller n leaves 0 like a jump
@@ -27,20 +26,21 @@ double spread(const LightSetup &light, const glm::dvec3 &position, double d) {
     return (glm::length(position) + glm::length(light.position)) / std::max(d, 1e-300);
 }
 
-/// One place's branches, with its neighbours worked out only where something is close.
+} // namespace
+
+/// The branches at one point. Its neighbours are worked out only where a branch is close.
 class Branches {
   public:
-    Branches(const Setup &setup, const Material &material, Terms terms, const Place &here, const Sampler &sampler)
-        : setup_(setup), material_(material), terms_(terms), here_(here), sampler_(sampler) {}
+    Branches(const Sampler &sampler, Terms terms, const SurfacePoint &here)
+        : sampler_(sampler), setup_(sampler.setup_), object_(sampler.object_), terms_(terms), here_(here) {}
 
-    bool view_branch(bool two_sided) {
-        const auto n_dot_v = [](const Place &p) { return glm::dot(p.raw_normal, p.view); };
-        const auto quantity = [&](const Place &p) { return n_dot_v(p); };
+    bool view_branch() {
+        const auto n_dot_v = [](const SurfacePoint &p) { return glm::dot(p.raw_normal, p.view); };
         const bool gate = setup_.technique.gate == Gate::view_facing;
-        if ((!two_sided && !gate) || !close(quantity, 2 * rounding / here_.normal_length)) {
+        if ((!object_.two_sided && !gate) || !close(n_dot_v, 2 * rounding / here_.normal_length)) {
             return false;
         }
-        return two_sided ? turning_matters() : light_sum_matters();
+        return object_.two_sided ? turning_matters() : light_sum_matters();
     }
 
     bool light_branches(std::size_t i) {
@@ -54,16 +54,15 @@ class Branches {
         // A product of exact zeros has no rounding: a floor under a horizontal directional light is not in doubt.
         const double dot_noise =
             rounding * (glm::dot(glm::abs(here_.normal), glm::abs(vectors.l)) / here_.normal_length + lengths);
-        const auto n_dot_l = [&](const Place &p) { return glm::dot(p.normal, sampler_.vectors(p, i).l); };
-        const auto beyond_cone = [&](const Place &p) {
+        const auto n_dot_l = [&](const SurfacePoint &p) { return glm::dot(p.normal, sampler_.vectors(p, i).l); };
+        const auto beyond_cone = [&](const SurfacePoint &p) {
             return glm::dot(-sampler_.vectors(p, i).l, light.travel) - light.cos_outer;
         };
         const bool hard = light.cone && !(light.light.inner_cutoff_degrees < light.light.cutoff_degrees);
         if (hard && close(beyond_cone, noise) && amounts(i).cone > negligible) {
             return true;
         }
-        const bool gated = terms_ != Terms::body && setup_.technique.gate == Gate::light_facing &&
-                           setup_.technique.model != Model::lambert;
+        const bool gated = adds_highlight() && setup_.technique.gate == Gate::light_facing;
         const bool where_lit = terms_ != Terms::highlight && setup_.technique.ambient == AmbientWhere::where_lit;
         if ((gated || where_lit) && close(n_dot_l, dot_noise)) {
             const Amounts amount = amounts(i);
@@ -86,26 +85,21 @@ class Branches {
             return false;
         }
         if (!right_) {
-            right_ = sampler_.at(edge_width, 0);
-            below_ = sampler_.at(0, edge_width);
+            right_ = sampler_.point_at(edge_width, 0);
+            below_ = sampler_.point_at(0, edge_width);
         }
         return std::abs(q) < std::abs(quantity(*right_) - q) + std::abs(quantity(*below_) - q) + noise;
     }
 
-    LightTerms terms_of(std::size_t i) const {
-        return light_terms(setup_, setup_.lights[i], sampler_.vectors(here_, i), here_.normal, here_.view,
-                           material_.shininess);
-    }
-
     Amounts amounts(std::size_t i) const {
-        const LightTerms terms = terms_of(i);
+        const LightTerms terms = sampler_.terms_at(here_, i);
         const Light &light = setup_.lights[i].light;
         const double reach = terms.vectors.a * terms.s_uncut;
         const glm::dvec3 ambient =
-            material_.ambient * light.color * (light.ambient * (light.attenuate_ambient ? reach : 1));
+            object_.material.ambient * light.color * (light.ambient * (light.attenuate_ambient ? reach : 1));
         const glm::dvec3 diffuse =
-            material_.diffuse * light.color * (light.diffuse * std::max(terms.n_dot_l, 0.0) * reach);
-        const glm::dvec3 highlight = material_.specular * light.color * (light.specular * terms.f_power * reach);
+            object_.material.diffuse * light.color * (light.diffuse * std::max(terms.n_dot_l, 0.0) * reach);
+        const glm::dvec3 highlight = object_.material.specular * light.color * (light.specular * terms.f_power * reach);
         Amounts amount;
         amount.highlight = largest(highlight);
         amount.ambient = largest(ambient);
@@ -117,82 +111,82 @@ class Branches {
 
     /// f^n near f = 0 for small n: a rounding of f there is a jump of the highlight.
     bool steep_highlight(std::size_t i, double noise) {
-        const bool blinn = setup_.technique.model == Model::blinn_phong;
-        const double n = material_.shininess * (blinn ? setup_.blinn_exponent_scale : 1);
-        if (terms_ == Terms::body || setup_.technique.model == Model::lambert || n == 0 || n > steep_exponent) {
+        const double n = raised_exponent(setup_, object_.material.shininess);
+        if (!adds_highlight() || n == 0 || n > steep_exponent) {
             return false;
         }
-        const auto f = [&](const Place &p) {
-            const LightVectors vectors = sampler_.vectors(p, i);
-            return blinn ? glm::dot(p.normal, vectors.h) : glm::dot(vectors.r, p.view);
+        const auto f = [&](const SurfacePoint &p) {
+            const auto [a, b] = highlight_vectors(setup_.technique.model, sampler_.vectors(p, i), p.normal, p.view);
+            return glm::dot(a, b);
         };
         if (!close(f, noise)) {
             return false;
         }
-        const LightTerms terms = terms_of(i);
+        const LightTerms terms = sampler_.terms_at(here_, i);
         const Light &light = setup_.lights[i].light;
         return terms.gate &&
-               largest(material_.specular * light.color) * light.specular * terms.vectors.a * terms.s > negligible;
+               largest(object_.material.specular * light.color) * light.specular * terms.vectors.a * terms.s >
+                   negligible;
     }
 
     bool turning_matters() const {
-        Place turned = here_;
+        SurfacePoint turned = here_;
         turned.normal = -here_.normal;
-        const Reflected one = reflect(setup_, material_, terms_, here_, sampler_);
-        const Reflected other = reflect(setup_, material_, terms_, turned, sampler_);
-        return largest(one.body - other.body) + largest(one.highlight - other.highlight) > negligible;
+        const Reflected before = sampler_.reflect(terms_, here_);
+        const Reflected after = sampler_.reflect(terms_, turned);
+        return largest(before.body - after.body) + largest(before.highlight - after.highlight) > negligible;
     }
 
     bool light_sum_matters() const {
-        for (std::size_t i = 0; i < setup_.lights.size(); ++i) {
-            if (terms_ != Terms::body && setup_.technique.model != Model::lambert &&
-                amounts(i).highlight > negligible) {
+        for (std::size_t i = 0; adds_highlight() && i < setup_.lights.size(); ++i) {
+            if (amounts(i).highlight > negligible) {
                 return true;
             }
         }
         return false;
     }
 
-    const Setup &setup_;
-    const Material &material_;
-    Terms terms_;
-    const Place &here_;
-    const Sampler &sampler_;
-    std::optional<Place> right_, below_;
-};
+    bool adds_highlight() const { return terms_ != Terms::body && reflection(setup_.technique.model).specular; }
 
-} // namespace
+    const Sampler &sampler_;
+    const Setup &setup_;
+    const Object &object_;
+    Terms terms_;
+    const SurfacePoint &here_;
+    std::optional<SurfacePoint> right_, below_;
+};
 
 bool direction_is_rounding(const LightSetup &light, const glm::dvec3 &position) {
     const double d = glm::length(light.position - position);
     return rounding * spread(light, position, d) > far_from_a_branch;
 }
 
-Point::Point(const Setup &setup, bool two_sided, const glm::dvec3 &position, const glm::dvec3 &normal) : setup_(setup) {
-    place_.position = position;
-    place_.raw_normal = normal;
-    place_.view = view_vector(setup, position);
-    place_.normal = facing(two_sided, normal, place_.view);
+SurfacePoint Sampler::surface_point(const glm::dvec3 &position, const glm::dvec3 &normal) const {
+    const glm::dvec3 view = view_vector(setup_, position);
+    return {
+        .position = position, .raw_normal = normal, .normal = facing(object_.two_sided, normal, view), .view = view};
 }
 
-Place Point::at(double, double) const { return place_; }
-
-LightVectors Point::vectors(const Place &place, std::size_t light) const {
-    return light_vectors(setup_, setup_.lights[light], place.position, place.normal, place.view);
+LightVectors Sampler::vectors(const SurfacePoint &point, std::size_t light) const {
+    return light_vectors(setup_, setup_.lights[light], point.position, point.normal, point.view);
 }
 
-Reflected reflect(const Setup &setup, const Material &material, Terms terms, const Place &place,
-                  const Sampler &sampler) {
-    glm::dvec3 ambient = setup.ambient;
+LightTerms Sampler::terms_at(const SurfacePoint &point, std::size_t light) const {
+    return light_terms(setup_, setup_.lights[light], vectors(point, light), point.normal, point.view,
+                       object_.material.shininess);
+}
+
+Reflected Sampler::reflect(Terms terms, const SurfacePoint &point) const {
+    glm::dvec3 ambient = setup_.ambient;
     glm::dvec3 diffuse(0);
     glm::dvec3 specular(0);
-    for (std::size_t i = 0; i < setup.lights.size(); ++i) {
-        const LightTerms light = light_terms(setup, setup.lights[i], sampler.vectors(place, i), place.normal,
-                                             place.view, material.shininess);
+    for (std::size_t i = 0; i < setup_.lights.size(); ++i) {
+        const LightTerms light = terms_at(point, i);
         ambient += light.ambient;
         diffuse += light.diffuse;
         specular += light.specular;
     }
+    const Material &material = object_.material;
     Reflected reflected;
     if (terms != Terms::highlight) {
         reflected.body = material.ambient * ambient + material.diffuse * diffuse;
@@ -203,18 +197,21 @@ Reflected reflect(const Setup &setup, const Material &material, Terms terms, con
     return reflected;
 }
 
-bool may_jump(const Setup &setup, const Material &material, bool two_sided, Terms terms, const Place &here,
-              const Sampler &sampler) {
-    Branches branches(setup, material, terms, here, sampler);
-    if (branches.view_branch(two_sided)) {
-        return true;
+std::vector<LightProbe> Sampler::probe_lights(const SurfacePoint &point) const {
+    std::vector<LightProbe> lights;
+    for (std::size_t i = 0; i < setup_.lights.size(); ++i) {
+        lights.push_back({setup_.light_index[i], terms_at(point, i)});
     }
-    for (std::size_t i = 0; i < setup.lights.size(); ++i) {
-        if (branches.light_branches(i)) {
-            return true;
-        }
+    return lights;
+}
+
+bool Sampler::may_jump(Terms terms, const SurfacePoint &here) const {
+    Branches branches(*this, terms, here);
+    bool jumps = branches.view_branch();
+    for (std::size_t i = 0; !jumps && i < setup_.lights.size(); ++i) {
+        jumps = branches.light_branches(i);
     }
-    return false;
+    return jumps;
 }
 
 } // namespace sandbox::reference

@@ -2,15 +2,18 @@
 
 #include "reference/lighting.h"
 
-/// The equation at a place on a surface, and where it jumps: a gate, a hard cone, N turned to the viewer. There a
+/// The equation at a point of a surface, and where it jumps: a gate, a hard cone, N turned to the viewer. There a
 /// rounding of float32 may take the other branch, with a large difference that is nobody's error.
 namespace sandbox::reference {
 
-/// Which terms are worked out at a place (hybrid splits them).
+/// What float32 may lose of a quantity near 1: 8 units in the last place.
+constexpr double rounding = 8 * 0x1p-24;
+
+/// Which terms are worked out at a point (hybrid splits them).
 enum class Terms { all, body, highlight };
 
-/// The vectors that the equation is evaluated with at one place.
-struct Place {
+/// The vectors that the equation is evaluated with at one point.
+struct SurfacePoint {
     glm::dvec3 position{0}; ///< as lit, from the eye
     glm::dvec3 raw_normal{0};
     double normal_length = 1; ///< of raw_normal as interpolated: float32 rounds it by a share of 1, not of this
@@ -19,39 +22,52 @@ struct Place {
     glm::dvec3 weights{0}; ///< of a triangle's corners, if it is on one
 };
 
-/// A surface around one place.
-class Sampler {
-  public:
-    virtual ~Sampler() = default;
-    /// The place that is seen (dx, dy) pixels away from this one; the same one if the surface is only a point.
-    [[nodiscard]] virtual Place at(double dx, double dy) const = 0;
-    /// The vectors of one light (an index into Setup::lights) at one of those places.
-    [[nodiscard]] virtual LightVectors vectors(const Place &place, std::size_t light) const = 0;
+/// Every intermediate of one light at one point.
+struct LightProbe {
+    std::size_t light = 0; ///< in scene.lights
+    LightTerms terms;
 };
 
-/// A place by itself: a vertex, a triangle's centroid.
-class Point : public Sampler {
+/// An object's surface around one point. Keeps references to the setup and the object.
+class Sampler {
   public:
-    Point(const Setup &setup, bool two_sided, const glm::dvec3 &position, const glm::dvec3 &normal);
-    [[nodiscard]] Place at(double dx, double dy) const override;
-    [[nodiscard]] LightVectors vectors(const Place &place, std::size_t light) const override;
+    Sampler(const Setup &setup, const Object &object) : setup_(setup), object_(object) {}
+    virtual ~Sampler() = default;
+    /// The point that is seen (dx, dy) pixels away from this one; the same one if the surface is only a point.
+    [[nodiscard]] virtual SurfacePoint point_at(double dx, double dy) const = 0;
+    /// The vectors of one light (an index into Setup::lights) at one of those points; exact unless overridden.
+    [[nodiscard]] virtual LightVectors vectors(const SurfacePoint &point, std::size_t light) const;
+
+    /// The sum over all lights at one of those points.
+    [[nodiscard]] Reflected reflect(Terms terms, const SurfacePoint &point) const;
+    [[nodiscard]] std::vector<LightProbe> probe_lights(const SurfacePoint &point) const;
+    /// Could the colour at `here` jump? Yes if a branch that matters (by more than 1e-6 of linear colour) is taken
+    /// where the quantity that it tests is zero to within its own change over edge_width of a pixel plus its float32
+    /// `rounding`, and that of the positions it is a difference of (as shares of the distance).
+    [[nodiscard]] bool may_jump(Terms terms, const SurfacePoint &here) const;
+
+  protected:
+    /// The point at `position` (as lit, from the eye) with the unit normal before it is turned to the viewer.
+    [[nodiscard]] SurfacePoint surface_point(const glm::dvec3 &position, const glm::dvec3 &normal) const;
+    [[nodiscard]] LightTerms terms_at(const SurfacePoint &point, std::size_t light) const;
+
+    const Setup &setup_;
+    const Object &object_;
+    friend class Branches;
+};
+
+/// A point without a surface around it: a vertex, a triangle's centroid.
+class IsolatedPoint : public Sampler {
+  public:
+    IsolatedPoint(const Setup &setup, const Object &object, const glm::dvec3 &position, const glm::dvec3 &normal)
+        : Sampler(setup, object), point_(surface_point(position, normal)) {}
+    [[nodiscard]] SurfacePoint point_at(double, double) const override { return point_; }
 
   private:
-    const Setup &setup_;
-    Place place_;
+    SurfacePoint point_;
 };
 
 /// Is a light so near to `position` (both from the eye) that rounding alone says in which direction it lies?
 bool direction_is_rounding(const LightSetup &light, const glm::dvec3 &position);
-
-/// The sum over all lights.
-Reflected reflect(const Setup &setup, const Material &material, Terms terms, const Place &place,
-                  const Sampler &sampler);
-
-/// Could the colour at `here` jump? Yes if a branch that matters (by more than 1e-6 of linear colour) is taken where
-/// the quantity that it tests is zero to within its own change over edge_width of a pixel plus its float32 rounding: 8
-/// units in the last place of 1, and of the positions it is a difference of (as shares of the distance).
-bool may_jump(const Setup &setup, const Material &material, bool two_sided, Terms terms, const Place &here,
-              const Sampler &sampler);
 
 } // namespace sandbox::reference

@@ -26,159 +26,129 @@ glm::dvec3 unit_or(const glm::dvec3 &v, const glm::dvec3 &otherwise) {
 
 } // namespace
 
-Fragment::Fragment(const MeshScene &meshes, const Hit &hit, double x, double y)
-    : setup_(meshes.setup), object_(meshes.objects[hit.object - 1]), raster_(meshes.raster[hit.object - 1]),
-      triangle_index_(hit.triangle), triangle_((*raster_.triangles)[hit.triangle]), x_(x), y_(y), here_(at(0, 0)) {}
+Fragment::Fragment(const MeshScene &scene, const Hit &hit, double x, double y)
+    : Sampler(scene.setup, *scene.objects[hit.object - 1].object), mesh_(scene.objects[hit.object - 1]),
+      raster_(scene.raster[hit.object - 1]), triangle_index_(hit.triangle),
+      triangle_((*raster_.triangles)[hit.triangle]), x_(x), y_(y), here_(point_at(0, 0)) {}
 
 glm::dvec3 Fragment::weights(double dx, double dy) const {
     const std::vector<Corner> &corners = raster_.corners;
     return weights_at(corners[triangle_.x], corners[triangle_.y], corners[triangle_.z], x_ + dx, y_ + dy);
 }
 
-Place Fragment::at(double dx, double dy) const {
-    Place place;
-    place.weights = weights(dx, dy);
-    place.position = blend(place.weights, object_.positions, triangle_);
-    place.raw_normal = blend(place.weights, object_.normals, triangle_);
+SurfacePoint Fragment::point_at(double dx, double dy) const {
+    SurfacePoint point;
+    point.weights = weights(dx, dy);
+    point.position = blend(point.weights, mesh_.positions, triangle_);
+    point.raw_normal = blend(point.weights, mesh_.normals, triangle_);
     if (setup_.technique.renormalize == Renormalize::on) {
-        place.normal_length = glm::length(place.raw_normal);
-        place.raw_normal = unit(place.raw_normal);
+        point.normal_length = glm::length(point.raw_normal);
+        point.raw_normal = unit(point.raw_normal);
     }
     if (setup_.technique.frequency == Frequency::interpolated_vectors) {
-        place.view = unit(blend(place.weights, corner(0).view, corner(1).view, corner(2).view));
+        point.view = unit(blend(point.weights, corner(0).view, corner(1).view, corner(2).view));
     } else {
-        place.view = view_vector(setup_, place.position);
+        point.view = view_vector(setup_, point.position);
     }
-    place.normal = facing(object_.object->two_sided, place.raw_normal, place.view);
-    return place;
+    point.normal = facing(object_.two_sided, point.raw_normal, point.view);
+    return point;
 }
 
-/// A corner as a place: what interpolated vectors are worked out at.
-Place Fragment::corner(std::size_t i) const {
-    const unsigned vertex = triangle_[static_cast<glm::length_t>(i)];
-    Place place;
-    place.position = object_.positions[vertex];
-    place.raw_normal = object_.normals[vertex];
-    place.view = view_vector(setup_, place.position);
-    place.normal = place.raw_normal;
-    return place;
+/// Where the vectors that are interpolated are worked out: N is not turned to the viewer there.
+SurfacePoint Fragment::corner(int i) const {
+    const glm::dvec3 &position = mesh_.positions[triangle_[i]];
+    const glm::dvec3 &normal = mesh_.normals[triangle_[i]];
+    return {.position = position, .raw_normal = normal, .normal = normal, .view = view_vector(setup_, position)};
 }
 
-LightVectors Fragment::vectors(const Place &place, std::size_t light) const {
+LightVectors Fragment::vectors(const SurfacePoint &point, std::size_t light) const {
     if (setup_.technique.frequency == Frequency::interpolated_vectors) {
-        return interpolated_vectors(place, light);
+        return interpolated_vectors(point, light);
     }
     const LightSetup &setup = setup_.lights[light];
-    LightVectors vectors = light_vectors(setup_, setup, place.position, place.normal, place.view);
+    LightVectors vectors = Sampler::vectors(point, light);
     if (setup_.technique.attenuation == AttenuationAt::exact || setup.light.type == LightType::directional) {
         return vectors;
     }
-    glm::dvec3 distance(0);
-    glm::dvec3 factor(0);
-    for (int i = 0; i < 3; ++i) {
-        distance[i] = glm::length(setup.position - object_.positions[triangle_[i]]);
-        factor[i] = attenuation(setup.light.attenuation, distance[i]);
-    }
-    if (setup_.technique.attenuation == AttenuationAt::interpolated) {
-        vectors.a = blend(place.weights, factor.x, factor.y, factor.z);
-    } else {
-        vectors.a = attenuation(setup.light.attenuation, blend(place.weights, distance.x, distance.y, distance.z));
-    }
+    const auto distance = [&](int i) { return glm::length(setup.position - mesh_.positions[triangle_[i]]); };
+    const auto factor = [&](int i) { return attenuation(setup.light.attenuation, distance(i)); };
+    vectors.a = setup_.technique.attenuation == AttenuationAt::interpolated
+                    ? blend(point.weights, factor(0), factor(1), factor(2))
+                    : attenuation(setup.light.attenuation, blend(point.weights, distance(0), distance(1), distance(2)));
     return vectors;
 }
 
-LightVectors Fragment::interpolated_vectors(const Place &place, std::size_t light) const {
+LightVectors Fragment::interpolated_vectors(const SurfacePoint &point, std::size_t light) const {
     const LightSetup &setup = setup_.lights[light];
-    std::array<LightVectors, 3> at;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Place from = corner(i);
-        at[i] = light_vectors(setup_, setup, from.position, from.normal, from.view);
-    }
-    LightVectors vectors = at[0];
+    const auto at_corner = [&](int i) { return Sampler::vectors(corner(i), light); };
+    const std::array<LightVectors, 3> corners{at_corner(0), at_corner(1), at_corner(2)};
+    const auto interpolated = [&](auto member) {
+        return blend(point.weights, corners[0].*member, corners[1].*member, corners[2].*member);
+    };
+    LightVectors vectors = corners[0];
     if (setup.light.type != LightType::directional) {
-        vectors.l = unit_or(blend(place.weights, at[0].l, at[1].l, at[2].l), place.normal);
-        vectors.d = blend(place.weights, at[0].d, at[1].d, at[2].d);
+        vectors.l = unit_or(interpolated(&LightVectors::l), point.normal);
+        vectors.d = interpolated(&LightVectors::d);
         vectors.a = setup_.technique.attenuation == AttenuationAt::interpolated
-                        ? blend(place.weights, at[0].a, at[1].a, at[2].a)
+                        ? interpolated(&LightVectors::a)
                         : attenuation(setup.light.attenuation, vectors.d);
     }
-    vectors.r = unit(blend(place.weights, at[0].r, at[1].r, at[2].r));
+    vectors.r = unit(interpolated(&LightVectors::r));
     if (setup_.technique.half_vector == HalfVector::exact) {
-        vectors.h = unit_or(blend(place.weights, at[0].h, at[1].h, at[2].h), place.normal);
+        vectors.h = unit_or(interpolated(&LightVectors::h), point.normal);
     }
     return vectors;
 }
 
 Reflected Fragment::reflected() const {
-    const Material &material = object_.object->material;
-    const auto interpolated = [&] {
-        const Reflected &a = object_.lit[triangle_.x];
-        const Reflected &b = object_.lit[triangle_.y];
-        const Reflected &c = object_.lit[triangle_.z];
-        return Reflected{blend(here_.weights, a.body, b.body, c.body),
-                         blend(here_.weights, a.highlight, b.highlight, c.highlight)};
+    const auto interpolated = [&](auto part) {
+        const std::vector<Reflected> &lit = mesh_.lit;
+        return blend(here_.weights, lit[triangle_.x].*part, lit[triangle_.y].*part, lit[triangle_.z].*part);
     };
     switch (setup_.technique.frequency) {
     case Frequency::flat:
-        return object_.lit[triangle_index_];
+        return mesh_.lit[triangle_index_];
     case Frequency::per_vertex:
-        return interpolated();
-    case Frequency::hybrid: {
-        Reflected both = interpolated();
-        both.highlight = reflect(setup_, material, Terms::highlight, here_, *this).highlight;
-        return both;
-    }
+        return {interpolated(&Reflected::body), interpolated(&Reflected::highlight)};
+    case Frequency::hybrid:
+        return {interpolated(&Reflected::body), reflect(Terms::highlight, here_).highlight};
     case Frequency::per_pixel:
     case Frequency::interpolated_vectors:
         break;
     }
-    return reflect(setup_, material, Terms::all, here_, *this);
+    return reflect(Terms::all, here_);
 }
 
 glm::dvec3 Fragment::object_position(const glm::dvec3 &weights) const {
-    return blend(weights, object_.mesh->positions, triangle_);
+    return blend(weights, mesh_.mesh->positions, triangle_);
 }
 
 glm::dvec3 Fragment::base() const {
-    const Mesh &mesh = *object_.mesh;
+    const Mesh &mesh = *mesh_.mesh;
     const glm::dvec2 uv = mesh.uvs.empty() ? glm::dvec2(0) : blend(here_.weights, mesh.uvs, triangle_);
-    return object_.base.at(uv, object_position(here_.weights));
+    return mesh_.base.color_at(uv, object_position(here_.weights));
 }
 
-glm::dvec3 Fragment::color() const { return compose(object_.object->material, base(), reflected()); }
+glm::dvec3 Fragment::color() const { return compose(object_.material, base(), reflected()); }
 
-Place Fragment::place() const {
-    if (setup_.technique.frequency != Frequency::flat) {
-        return here_;
-    }
-    const std::vector<glm::dvec3> &p = object_.positions;
-    const glm::dvec3 centroid = (p[triangle_.x] + p[triangle_.y] + p[triangle_.z]) / 3.0;
-    const glm::dvec3 normal = transform_normal(object_.placement.normals, face_normal(*object_.mesh, triangle_));
-    return Point(setup_, object_.object->two_sided, centroid, normal).at(0, 0);
+SurfacePoint Fragment::evaluated_point() const {
+    return setup_.technique.frequency == Frequency::flat ? centroid(setup_, mesh_, triangle_).point_at(0, 0) : here_;
 }
 
 bool Fragment::checker_unstable() const {
-    const Checker *checker = object_.base.checker;
-    if (checker == nullptr || checker->colors[0] == checker->colors[1]) {
+    if (!mesh_.base.has_cells()) {
         return false;
     }
-    const auto cells = [&](const glm::dvec3 &p) { return checker_coordinates(*checker, object_.base.half_extent, p); };
-    const auto cells_at = [&](double dx, double dy) { return cells(object_position(weights(dx, dy))); };
-    const glm::dvec3 here = cells_at(0, 0);
-    const glm::dvec3 change = glm::abs(cells_at(edge_width, 0) - here) + glm::abs(cells_at(0, edge_width) - here);
-    glm::dvec3 farthest(0);
+    const auto position = [&](double dx, double dy) { return object_position(weights(dx, dy)); };
+    const Checker &checker = *mesh_.base.checker;
+    glm::dvec3 farthest(0); // no rounding where a coordinate is 0 all over the triangle: the centre plane is exact
     for (int i = 0; i < 3; ++i) {
-        farthest = glm::max(farthest, glm::abs(cells(object_.mesh->positions[triangle_[i]]) - 0.5 * checker->cells));
+        const glm::dvec3 &corner = mesh_.mesh->positions[triangle_[i]];
+        const glm::dvec3 cell = checker_coordinates(checker, mesh_.base.half_extent, corner);
+        farthest = glm::max(farthest, glm::abs(cell - 0.5 * checker.cells));
     }
-    for (int axis = 0; axis < 3; ++axis) {
-        const double boundary = std::round(here[axis]);
-        // No noise where a coordinate is 0 all over the triangle: the centre plane is exact in any precision.
-        const double margin = change[axis] + 8 * 0x1p-24 * farthest[axis];
-        if (boundary > 0 && boundary < checker->cells && std::abs(here[axis] - boundary) < margin) {
-            return true;
-        }
-    }
-    return false;
+    return mesh_.base.cell_may_change(position(0, 0), position(edge_width, 0), position(0, edge_width),
+                                      rounding * farthest);
 }
 
 /// Where the corners' normals all but cancel, float32 rounds what is left four times as coarsely as a normal, and more.
@@ -192,8 +162,8 @@ bool Fragment::normal_unstable() const {
 /// Vectors that are interpolated are as good as the corners'.
 bool Fragment::corner_light_unstable() const {
     const auto unstable = [&](const LightSetup &light) {
-        return std::ranges::any_of(
-            std::array{0, 1, 2}, [&](int i) { return direction_is_rounding(light, object_.positions[triangle_[i]]); });
+        return std::ranges::any_of(std::array{0, 1, 2},
+                                   [&](int i) { return direction_is_rounding(light, mesh_.positions[triangle_[i]]); });
     };
     return setup_.technique.frequency == Frequency::interpolated_vectors &&
            std::ranges::any_of(setup_.lights, unstable);
@@ -203,15 +173,13 @@ bool Fragment::unstable() const {
     if (checker_unstable() || normal_unstable() || corner_light_unstable()) {
         return true;
     }
-    const auto jumps = [&](Terms terms) {
-        return may_jump(setup_, object_.object->material, object_.object->two_sided, terms, here_, *this);
-    };
+    const auto jumps = [&](Terms terms) { return may_jump(terms, here_); };
     const auto corner_unstable = [&] {
-        return (object_.unstable[triangle_.x] | object_.unstable[triangle_.y] | object_.unstable[triangle_.z]) != 0;
+        return (mesh_.unstable[triangle_.x] | mesh_.unstable[triangle_.y] | mesh_.unstable[triangle_.z]) != 0;
     };
     switch (setup_.technique.frequency) {
     case Frequency::flat:
-        return object_.unstable[triangle_index_] != 0;
+        return mesh_.unstable[triangle_index_] != 0;
     case Frequency::per_vertex:
         return corner_unstable();
     case Frequency::hybrid:

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "reference/branches.h"
 #include "reference/mesh_scene.h"
 
 /// One pixel of a mesh: what the technique's frequency makes of the triangle it sees.
@@ -10,10 +9,10 @@ namespace sandbox::reference {
 /// and, where the technique asks for it, the lights' vectors; all perspective-correct.
 class Fragment : public Sampler {
   public:
-    Fragment(const MeshScene &meshes, const Hit &hit, double x, double y);
+    Fragment(const MeshScene &scene, const Hit &hit, double x, double y);
 
-    [[nodiscard]] Place at(double dx, double dy) const override;
-    [[nodiscard]] LightVectors vectors(const Place &place, std::size_t light) const override;
+    [[nodiscard]] SurfacePoint point_at(double dx, double dy) const override;
+    [[nodiscard]] LightVectors vectors(const SurfacePoint &point, std::size_t light) const override;
 
     [[nodiscard]] glm::dvec3 color() const;
     /// The texture's or checker's colour here.
@@ -23,26 +22,24 @@ class Fragment : public Sampler {
     /// Does the centre lie within edge_width of an edge of its triangle?
     [[nodiscard]] bool at_edge() const;
     /// Where the equation is evaluated for this pixel: here, or at the triangle's centroid under flat.
-    [[nodiscard]] Place place() const;
-    [[nodiscard]] const MeshObject &object() const { return object_; }
+    [[nodiscard]] SurfacePoint evaluated_point() const;
 
   private:
     [[nodiscard]] glm::dvec3 weights(double dx, double dy) const;
-    [[nodiscard]] Place corner(std::size_t i) const;
+    [[nodiscard]] SurfacePoint corner(int i) const;
     [[nodiscard]] Reflected reflected() const;
     [[nodiscard]] bool checker_unstable() const;
     [[nodiscard]] bool normal_unstable() const;
     [[nodiscard]] bool corner_light_unstable() const;
     [[nodiscard]] glm::dvec3 object_position(const glm::dvec3 &weights) const;
-    [[nodiscard]] LightVectors interpolated_vectors(const Place &place, std::size_t light) const;
+    [[nodiscard]] LightVectors interpolated_vectors(const SurfacePoint &point, std::size_t light) const;
 
-    const Setup &setup_;
-    const MeshObject &object_;
+    const MeshObject &mesh_;
     const RasterObject &raster_;
     std::size_t triangle_index_;
     glm::uvec3 triangle_;
     double x_, y_;
-    Place here_;
+    SurfacePoint here_;
 };
 
 } // namespace sandbox::reference

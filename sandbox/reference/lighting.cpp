@@ -72,10 +72,8 @@ bool gate_open(Gate gate, double n_dot_l, const glm::dvec3 &n, const glm::dvec3 
 
 void specular_factor(const Setup &setup, const glm::dvec3 &n, const glm::dvec3 &v, double shininess,
                      LightTerms &terms) {
-    const bool blinn = setup.technique.model == Model::blinn_phong;
-    const glm::dvec3 &a = blinn ? n : terms.vectors.r;
-    const glm::dvec3 &b = blinn ? terms.vectors.h : v;
-    terms.exponent = blinn ? setup.blinn_exponent_scale * shininess : shininess;
+    const auto [a, b] = highlight_vectors(setup.technique.model, terms.vectors, n, v);
+    terms.exponent = raised_exponent(setup, shininess);
     terms.f = std::max(glm::dot(a, b), 0.0);
     terms.f_power = power_of_dot(a, b, terms.exponent);
     terms.gate = gate_open(setup.technique.gate, terms.n_dot_l, n, v);
@@ -151,17 +149,35 @@ LightVectors light_vectors(const Setup &setup, const LightSetup &light, const gl
         vectors.l = vectors.d == 0 ? n : unit(to_light);
         vectors.a = attenuation(light.light.attenuation, vectors.d);
     }
-    if (setup.technique.model == Model::phong) {
+    switch (setup.technique.model) {
+    case Model::lambert:
+        break;
+    case Model::phong:
         vectors.r = 2 * glm::dot(n, vectors.l) * n - vectors.l;
-    }
-    if (setup.technique.model == Model::blinn_phong) {
-        const bool constant = setup.technique.half_vector == HalfVector::constant;
-        vectors.h = constant ? light.constant_half : unit(vectors.l + v);
-        if (vectors.h == glm::dvec3(0)) {
-            vectors.h = n;
-        }
+        break;
+    case Model::blinn_phong:
+        vectors.h = setup.technique.half_vector == HalfVector::constant ? light.constant_half : unit(vectors.l + v);
+        vectors.h = vectors.h == glm::dvec3(0) ? n : vectors.h;
+        break;
     }
     return vectors;
+}
+
+std::pair<glm::dvec3, glm::dvec3> highlight_vectors(Model model, const LightVectors &vectors, const glm::dvec3 &n,
+                                                    const glm::dvec3 &v) {
+    switch (model) {
+    case Model::lambert:
+        break;
+    case Model::phong:
+        return {vectors.r, v};
+    case Model::blinn_phong:
+        return {n, vectors.h};
+    }
+    return {};
+}
+
+double raised_exponent(const Setup &setup, double shininess) {
+    return reflection(setup.technique.model).scaled_exponent ? setup.blinn_exponent_scale * shininess : shininess;
 }
 
 LightTerms light_terms(const Setup &setup, const LightSetup &light, const LightVectors &vectors, const glm::dvec3 &n,
@@ -180,7 +196,7 @@ LightTerms light_terms(const Setup &setup, const LightSetup &light, const LightV
         technique.direction == DirectionSign::unnegated_diffuse && light.light.type == LightType::directional;
     const double incidence = unnegated ? glm::dot(n, light.travel) : terms.n_dot_l;
     terms.diffuse = light.light.color * (light.light.diffuse * std::max(incidence, 0.0) * reach);
-    if (technique.model != Model::lambert) {
+    if (reflection(technique.model).specular) {
         specular_factor(setup, n, v, shininess, terms);
         terms.specular = light.light.color * (terms.gate ? light.light.specular * terms.f_power * reach : 0);
     }
@@ -190,6 +206,10 @@ LightTerms light_terms(const Setup &setup, const LightSetup &light, const LightV
 glm::dvec3 compose(const Material &material, const glm::dvec3 &base, const Reflected &reflected) {
     const glm::dvec3 tint = material.texture_modulates_specular ? base : glm::dvec3(1);
     return material.emission + base * reflected.body + tint * reflected.highlight;
+}
+
+glm::dvec3 facing(bool two_sided, const glm::dvec3 &n, const glm::dvec3 &v) {
+    return two_sided && glm::dot(n, v) < 0 ? -n : n;
 }
 
 } // namespace sandbox::reference

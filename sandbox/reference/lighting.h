@@ -4,6 +4,7 @@
 #include "shading/technique.h"
 
 #include <glm/vec3.hpp>
+#include <utility>
 #include <vector>
 
 /// The shading equations in double, one function a formula, for any point. Everything is measured from the eye
@@ -65,6 +66,12 @@ struct LightVectors {
 LightVectors light_vectors(const Setup &setup, const LightSetup &light, const glm::dvec3 &p, const glm::dvec3 &n,
                            const glm::dvec3 &v);
 
+/// The unit vectors whose cosine is f: R and V, or N and H; 0 where the model has no specular term.
+std::pair<glm::dvec3, glm::dvec3> highlight_vectors(Model model, const LightVectors &vectors, const glm::dvec3 &n,
+                                                    const glm::dvec3 &v);
+/// n as it is raised: n_B for Blinn-Phong.
+double raised_exponent(const Setup &setup, double shininess);
+
 /// Every intermediate of one light at one point. ambient, diffuse and specular are A_i, D_i, S_i: no material yet.
 struct LightTerms {
     LightVectors vectors;
@@ -93,8 +100,6 @@ struct Reflected {
 glm::dvec3 compose(const Material &material, const glm::dvec3 &base, const Reflected &reflected);
 
 /// N turned to the viewer where the object is two-sided and N.V < 0.
-inline glm::dvec3 facing(bool two_sided, const glm::dvec3 &n, const glm::dvec3 &v) {
-    return two_sided && n.x * v.x + n.y * v.y + n.z * v.z < 0 ? -n : n;
-}
+glm::dvec3 facing(bool two_sided, const glm::dvec3 &n, const glm::dvec3 &v);
 
 } // namespace sandbox::reference

@@ -1,5 +1,6 @@
+#include "reference/mesh_picture.h"
+
 #include "reference/fragment.h"
-#include "reference/picture.h"
 
 #include <algorithm>
 #include <glm/common.hpp>
@@ -38,16 +39,18 @@ class MeshPicture : public Picture {
             return {};
         }
         const Fragment fragment(meshes_, hit, x + 0.5, y + 0.5);
-        const Material &material = fragment.object().object->material;
-        PixelProbe probe = probe_place(meshes_.setup, material, fragment.place(), fragment);
-        probe.object = hit.object - 1;
-        probe.triangle = hit.triangle;
-        probe.base = fragment.base();
-        probe.color = fragment.color();
-        probe.edge = on_edge(hit, fragment);
-        probe.jump = fragment.unstable();
-        probe.window_rounding = window_rounding(hit, x, y, probe.color);
-        return probe;
+        const SurfacePoint point = fragment.evaluated_point();
+        return PixelProbe{.object = hit.object - 1,
+                          .triangle = hit.triangle,
+                          .position = point.position + meshes_.setup.eye,
+                          .normal = point.normal,
+                          .view = point.view,
+                          .base = fragment.base(),
+                          .lights = fragment.probe_lights(point),
+                          .color = fragment.color(),
+                          .edge = on_edge(hit, fragment),
+                          .jump = fragment.unstable(),
+                          .window_rounding = window_rounding(hit, x, y, fragment.color())};
     }
 
   private:

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "reference/lighting.h"
+#include "reference/branches.h"
 #include "reference/parallel.h"
 #include "reference/raster.h"
 #include "reference/surface.h"
@@ -16,7 +16,7 @@ namespace sandbox::reference {
 struct MeshObject {
     const Object *object = nullptr;
     const Mesh *mesh = nullptr;
-    Placement placement;
+    WorldTransform to_world;
     BaseColor base;
     std::vector<glm::dvec3> positions;   ///< a vertex each, as lit, from the eye
     std::vector<glm::dvec3> normals;     ///< a vertex each, unit, world axes
@@ -33,6 +33,9 @@ struct MeshScene {
 /// `scene` and `resources` must outlive the result.
 MeshScene prepare_meshes(const Scene &scene, const std::vector<ObjectResources> &resources, const Technique &technique,
                          Size size);
+
+/// Where flat shading evaluates the equation.
+IsolatedPoint centroid(const Setup &setup, const MeshObject &object, const glm::uvec3 &triangle);
 
 /// A triangle's own normal in object space, turned to the side of its vertices' mean normal; unit.
 glm::dvec3 face_normal(const Mesh &mesh, const glm::uvec3 &triangle);

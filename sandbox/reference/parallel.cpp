@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <condition_variable>
 #include <exception>
 #include <mutex>
 #include <thread>
@@ -11,15 +12,18 @@ namespace sandbox {
 
 namespace {
 
-/// Hands out the indices and keeps the first failure.
-class Queue {
+/// One call of parallel_for: hands out the indices and keeps the first failure.
+class Loop {
   public:
-    Queue(std::size_t count, const Progress &progress) : count_(count), progress_(progress) {}
+    Loop(std::size_t count, const std::function<void(std::size_t)> &work, const Progress &progress)
+        : count_(count), work_(work), progress_(progress) {}
 
-    void run(const std::function<void(std::size_t)> &work) {
+    [[nodiscard]] bool has_work() const { return next_ < count_ && !stopped_; }
+
+    void run() {
         for (std::size_t i = next_++; i < count_ && !stopped_; i = next_++) {
             try {
-                work(i);
+                work_(i);
                 report();
             } catch (...) {
                 fail(std::current_exception());
@@ -32,6 +36,8 @@ class Queue {
             std::rethrow_exception(failure_);
         }
     }
+
+    int helpers = 0; ///< threads of the pool inside run(); guarded by the pool's mutex
 
   private:
     void report() {
@@ -51,6 +57,7 @@ class Queue {
     }
 
     std::size_t count_;
+    const std::function<void(std::size_t)> &work_;
     const Progress &progress_;
     std::atomic<std::size_t> next_{0};
     std::atomic<bool> stopped_{false};
@@ -59,19 +66,60 @@ class Queue {
     std::mutex mutex_;
 };
 
+/// Threads that help with every loop there is, as long as the program runs. A thread that calls parallel_for works on
+/// its own loop until no index is left, so loops within loops and loops of several threads never wait for a free
+/// helper.
+class Pool {
+  public:
+    Pool() {
+        for (unsigned i = 1; i < std::thread::hardware_concurrency(); ++i) {
+            helpers_.emplace_back([this](const std::stop_token &stop) { help(stop); });
+        }
+    }
+
+    void run(Loop &loop) {
+        std::unique_lock lock(mutex_);
+        loops_.push_back(&loop);
+        lock.unlock();
+        loop_added_.notify_all();
+        loop.run();
+        lock.lock();
+        std::erase(loops_, &loop);
+        helper_left_.wait(lock, [&] { return loop.helpers == 0; });
+    }
+
+  private:
+    void help(const std::stop_token &stop) {
+        std::unique_lock lock(mutex_);
+        auto found = loops_.end();
+        const auto find = [&] {
+            found = std::ranges::find_if(loops_, &Loop::has_work);
+            return found != loops_.end();
+        };
+        while (loop_added_.wait(lock, stop, find)) {
+            Loop &loop = **found;
+            ++loop.helpers;
+            lock.unlock();
+            loop.run();
+            lock.lock();
+            --loop.helpers;
+            helper_left_.notify_all();
+        }
+    }
+
+    std::mutex mutex_;
+    std::condition_variable_any loop_added_, helper_left_;
+    std::vector<Loop *> loops_;
+    std::vector<std::jthread> helpers_; ///< last: they end before what they use
+};
+
 } // namespace
 
 void parallel_for(std::size_t count, const std::function<void(std::size_t)> &work, const Progress &progress) {
-    Queue queue(count, progress);
-    const std::size_t cores = std::max<std::size_t>(1, std::thread::hardware_concurrency());
-    {
-        std::vector<std::jthread> helpers;
-        for (std::size_t i = 1; i < std::min(cores, count); ++i) {
-            helpers.emplace_back([&] { queue.run(work); });
-        }
-        queue.run(work);
-    }
-    queue.rethrow();
+    static Pool pool;
+    Loop loop(count, work, progress);
+    pool.run(loop);
+    loop.rethrow();
 }
 
 } // namespace sandbox

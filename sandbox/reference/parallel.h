@@ -15,8 +15,9 @@ struct Cancelled : std::runtime_error {
 };
 
 /// Calls work(i) for i in [0, count) on all cores. The order is free, so each i must own what it writes; the result
-/// then does not depend on the number of cores. The first exception of a worker is thrown again here; Cancelled if
-/// progress says stop.
+/// then does not depend on the number of cores. The first exception of `work` is thrown again here; Cancelled if
+/// progress says stop. Any thread may call it at any time, also from within `work`: all calls share one set of threads,
+/// which start with the first call and end with the program.
 void parallel_for(std::size_t count, const std::function<void(std::size_t)> &work, const Progress &progress = {});
 
 } // namespace sandbox

@@ -1,6 +1,7 @@
 #include "reference/reference.h"
 
-#include "reference/picture.h"
+#include "reference/analytic_picture.h"
+#include "reference/mesh_picture.h"
 
 #include <chrono>
 #include <stdexcept>
@@ -19,23 +20,6 @@ std::unique_ptr<reference::Picture> picture_of(const Scene &scene, const std::ve
 }
 
 } // namespace
-
-namespace reference {
-
-PixelProbe probe_place(const Setup &setup, const Material &material, const Place &place, const Sampler &sampler) {
-    PixelProbe probe;
-    probe.position = place.position + setup.eye;
-    probe.normal = place.normal;
-    probe.view = place.view;
-    for (std::size_t i = 0; i < setup.lights.size(); ++i) {
-        const LightVectors vectors = sampler.vectors(place, i);
-        probe.lights.push_back({setup.light_index[i], light_terms(setup, setup.lights[i], vectors, place.normal,
-                                                                  place.view, material.shininess)});
-    }
-    return probe;
-}
-
-} // namespace reference
 
 ReferenceFrame render_reference(const Scene &scene, const std::vector<ObjectResources> &resources,
                                 const Technique &technique, Size size, Surface surface, const Progress &progress) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "image/image.h"
-#include "reference/lighting.h"
+#include "reference/branches.h"
 #include "reference/parallel.h"
 #include "scene/resources.h"
 #include "scene/scene.h"
@@ -43,18 +43,14 @@ Frame to_frame(const ReferenceFrame &frame);
 
 /// Every intermediate at one pixel.
 struct PixelProbe {
-    struct LightProbe {
-        std::size_t light = 0; ///< in scene.lights
-        reference::LightTerms terms;
-    };
     std::size_t object = 0;   ///< in scene.objects
     std::size_t triangle = 0; ///< in its mesh; 0 for an analytic surface
     glm::dvec3 position{0};   ///< world space, as lit (position=w0 moves it)
     glm::dvec3 normal{0};
     glm::dvec3 view{0};
     glm::dvec3 base{1};
-    std::vector<LightProbe> lights; ///< those switched on
-    glm::dvec3 color{0};            ///< what render_reference gives there
+    std::vector<reference::LightProbe> lights; ///< those switched on
+    glm::dvec3 color{0};                       ///< what render_reference gives there
     bool edge = false;
     bool jump = false;
     /// How far the colour moves where the triangle moves in the window by 2^-22 of the picture's longer side, along

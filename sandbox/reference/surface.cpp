@@ -39,8 +39,8 @@ glm::dmat3 normal_matrix(const glm::dmat3 &linear, Normals normals) {
         return glm::dmat3(1);
     }
     const glm::dmat3 a = linear / largest;
-    if (normals == Normals::model_matrix) {
-        return a;
+    if (normals == Normals::model_matrix && !scales_evenly(a)) {
+        return a; // otherwise it is the normal matrix, but for rounding, which must not look like a fault
     }
     const glm::dmat3 cofactor(glm::cross(a[1], a[2]), glm::cross(a[2], a[0]), glm::cross(a[0], a[1]));
     return glm::dot(a[0], cofactor[0]) < 0 ? -cofactor : cofactor;
@@ -51,13 +51,13 @@ glm::dvec3 transform_normal(const glm::dmat3 &matrix, const glm::dvec3 &n) {
     return transformed == glm::dvec3(0) ? n : transformed;
 }
 
-Placement place(const Transform &transform, const Setup &setup) {
-    Placement placement;
-    placement.linear = linear_part(transform);
-    placement.offset = transform.translate - setup.eye;
-    placement.lit_offset = setup.technique.position == LightingPosition::w0 ? -setup.eye : placement.offset;
-    placement.normals = normal_matrix(placement.linear, setup.technique.normals);
-    return placement;
+WorldTransform world_transform(const Transform &transform, const Setup &setup) {
+    WorldTransform to_world;
+    to_world.linear = linear_part(transform);
+    to_world.offset = transform.translate - setup.eye;
+    to_world.lit_offset = setup.technique.position == LightingPosition::w0 ? -setup.eye : to_world.offset;
+    to_world.normals = normal_matrix(to_world.linear, setup.technique.normals);
+    return to_world;
 }
 
 glm::dvec3 sample_texture(const Image &image, const glm::dvec2 &uv) {
@@ -82,11 +82,27 @@ glm::dvec3 checker_color(const Checker &checker, double half_extent, const glm::
     return checker.colors[std::fmod(sum, 2) == 0 ? 0 : 1];
 }
 
-glm::dvec3 BaseColor::at(const glm::dvec2 &uv, const glm::dvec3 &object_position) const {
+glm::dvec3 BaseColor::color_at(const glm::dvec2 &uv, const glm::dvec3 &object_position) const {
     if (texture != nullptr) {
         return sample_texture(*texture, uv);
     }
     return checker != nullptr ? checker_color(*checker, half_extent, object_position) : glm::dvec3(1);
+}
+
+bool BaseColor::has_cells() const { return checker != nullptr && checker->colors[0] != checker->colors[1]; }
+
+bool BaseColor::cell_may_change(const glm::dvec3 &here, const glm::dvec3 &right, const glm::dvec3 &below,
+                                const glm::dvec3 &rounding) const {
+    const auto cells = [&](const glm::dvec3 &p) { return checker_coordinates(*checker, half_extent, p); };
+    const glm::dvec3 cell = cells(here);
+    const glm::dvec3 margin = glm::abs(cells(right) - cell) + glm::abs(cells(below) - cell) + rounding;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double boundary = std::round(cell[axis]);
+        if (boundary > 0 && boundary < checker->cells && std::abs(cell[axis] - boundary) < margin[axis]) {
+            return true;
+        }
+    }
+    return false;
 }
 
 BaseColor base_color(const Object &object, const ObjectResources &resources) {

@@ -19,7 +19,7 @@ glm::dmat3 normal_matrix(const glm::dmat3 &linear, Normals normals);
 glm::dvec3 transform_normal(const glm::dmat3 &matrix, const glm::dvec3 &n);
 
 /// Object space to where the camera and the equation see it.
-struct Placement {
+struct WorldTransform {
     glm::dmat3 linear{1};
     glm::dvec3 offset{0};     ///< seen at linear * p + offset, from the eye
     glm::dvec3 lit_offset{0}; ///< lit at linear * p + lit_offset: the same, but for position=w0 (no translation)
@@ -28,7 +28,7 @@ struct Placement {
     [[nodiscard]] glm::dvec3 seen(const glm::dvec3 &p) const { return linear * p + offset; }
     [[nodiscard]] glm::dvec3 lit(const glm::dvec3 &p) const { return linear * p + lit_offset; }
 };
-Placement place(const Transform &transform, const Setup &setup);
+WorldTransform world_transform(const Transform &transform, const Setup &setup);
 
 /// Bilinear, repeat; texel centres at (i + 0.5) / size, v = 0 at the bottom row (rows are stored from the top).
 glm::dvec3 sample_texture(const Image &image, const glm::dvec2 &uv);
@@ -44,7 +44,12 @@ struct BaseColor {
     const Checker *checker = nullptr;
     double half_extent = 1;
 
-    [[nodiscard]] glm::dvec3 at(const glm::dvec2 &uv, const glm::dvec3 &object_position) const;
+    [[nodiscard]] glm::dvec3 color_at(const glm::dvec2 &uv, const glm::dvec3 &object_position) const;
+    [[nodiscard]] bool has_cells() const; ///< of two different colours
+    /// Does an edge of a checker's cells pass between the object positions `here`, `right` and `below`, or within
+    /// `rounding` (of each cell coordinate) of them?
+    [[nodiscard]] bool cell_may_change(const glm::dvec3 &here, const glm::dvec3 &right, const glm::dvec3 &below,
+                                       const glm::dvec3 &rounding) const;
 };
 BaseColor base_color(const Object &object, const ObjectResources &resources);
 

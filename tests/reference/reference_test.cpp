@@ -282,7 +282,7 @@ TEST(Reference, AProbeExplainsItsPixel) {
         EXPECT_EQ(probe->color, frame.color[13 * 40 + 22]);
         ASSERT_EQ(probe->lights.size(), 2U);
         glm::dvec3 sum = scene.ambient;
-        for (const PixelProbe::LightProbe &light : probe->lights) {
+        for (const reference::LightProbe &light : probe->lights) {
             sum += light.terms.ambient + light.terms.diffuse + light.terms.specular;
         }
         EXPECT_NEAR(glm::length(sum - probe->color), 0, 1e-14);

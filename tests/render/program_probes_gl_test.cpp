@@ -125,7 +125,7 @@ TEST_F(ProgramProbes, SurfacePosition) {
             uploader.put("eye", glm::vec3(scene.camera.position));
         });
         ProbeTable table(std::string("surface_position, ") + technique_text, 6 * 0x1p-24 * 4); // of lengths up to 4
-        const auto placement = reference::place(object.transform, reference::prepare(scene, technique));
+        const auto placement = reference::world_transform(object.transform, reference::prepare(scene, technique));
         for (std::size_t i = 0; i < inputs.size(); ++i) {
             table.compare(got[i], placement.lit({inputs[i][1].x, inputs[i][1].y, inputs[i][1].z}), inputs[i]);
         }

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "reference/picture.h"
+
+#include <memory>
+
+namespace sandbox::reference {
+
+/// The triangles that OpenGL gets. `scene` and `resources` must outlive the picture.
+std::unique_ptr<Picture> mesh_picture(const Scene &scene, const std::vector<ObjectResources> &resources,
+                                      const Technique &technique, Size size);
+
+} // namespace sandbox::reference
