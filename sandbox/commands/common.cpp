@@ -105,6 +105,14 @@ std::string check_output(const std::filesystem::path &out, std::initializer_list
     return ending;
 }
 
+void make_folder(const std::filesystem::path &out) {
+    std::error_code failed;
+    std::filesystem::create_directories(out, failed);
+    if (!std::filesystem::is_directory(out)) {
+        throw InputError("--out: cannot make the folder '" + out.string() + "'");
+    }
+}
+
 void print(std::string_view text) {
     if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
         throw InputError(std::string("cannot write to standard output: ") + std::strerror(errno));

@@ -55,6 +55,9 @@ void check_positive(std::string_view flag, double value);
 /// the folder exists: before the work, not after it.
 std::string check_output(const std::filesystem::path &out, std::initializer_list<std::string_view> allowed);
 
+/// Makes the folder of --out, unless it exists. Throws InputError.
+void make_folder(const std::filesystem::path &out);
+
 /// Results: the whole text to standard output, flushed. Throws InputError if it cannot be written (a full disk).
 void print(std::string_view text);
 /// A line on standard error: "shading-sandbox: text".

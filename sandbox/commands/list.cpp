@@ -1,6 +1,6 @@
 #include "commands/commands.h"
 
-#include "measure/stability/stability.h"
+#include "measure/stability/cases.h"
 #include "scene/scene_file.h"
 #include "shading/technique.h"
 
@@ -52,9 +52,9 @@ ordered_json list_techniques() {
     return techniques;
 }
 
-ordered_json list_stability_cases() {
+ordered_json list_stability_cases(const Assets &assets) {
     ordered_json cases = ordered_json::array();
-    for (const StabilityCase &one : stability_cases()) {
+    for (const StabilityCase &one : stability_cases(assets)) {
         cases.push_back({{"name", one.name}, {"group", one.group}, {"doc", one.symptom}, {"cause", one.cause}});
     }
     return cases;
@@ -97,7 +97,7 @@ int run_list(bool json, const CommonOptions &common) {
                            {"scenes", list_scenes(assets)},
                            {"lessons", list_lessons(assets)},
                            {"techniques", list_techniques()},
-                           {"stability", list_stability_cases()}};
+                           {"stability", list_stability_cases(assets)}};
     print(json ? all.dump(2) + "\n" : human_text(all));
     return 0;
 }

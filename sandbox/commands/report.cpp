@@ -69,14 +69,6 @@ ReportRun measure(const ReportFlags &flags, const CommonOptions &common, const P
     return run;
 }
 
-void make_folder(const std::filesystem::path &folder) {
-    std::error_code failed;
-    std::filesystem::create_directories(folder, failed);
-    if (!std::filesystem::is_directory(folder)) {
-        throw InputError("--out: cannot make the folder '" + folder.string() + "'");
-    }
-}
-
 int run_report(const ReportFlags &flags, const CommonOptions &common) {
     if (flags.scene.empty() && flags.merge.empty()) {
         throw InputError("report: expected a SCENE, or --merge with the report.json of earlier runs");

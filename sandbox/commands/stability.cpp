@@ -12,30 +12,21 @@ namespace {
 
 struct StabilityFlags {
     std::filesystem::path out;
-    std::string name;
+    std::string chosen; ///< --case; empty: all
     bool json = false;
 };
 
-std::vector<StabilityCase> chosen_cases(const std::string &name) {
-    std::vector<StabilityCase> all = stability_cases();
-    if (name.empty()) {
-        return all;
-    }
-    for (const StabilityCase &one : all) {
-        if (one.name == name) {
-            return {one};
-        }
-    }
-    throw InputError("--case: there is no case '" + name + "'; `list` names them all");
-}
-
 int run_stability(const StabilityFlags &flags, const CommonOptions &common) {
-    const std::vector<StabilityCase> cases = chosen_cases(flags.name);
-    std::error_code failed;
-    std::filesystem::create_directories(flags.out, failed);
-    if (!std::filesystem::is_directory(flags.out)) {
-        throw InputError("--out: cannot make the folder '" + flags.out.string() + "'");
+    const Assets assets = scene_assets(common);
+    const auto cases = with_flag("--case", [&] {
+        return flags.chosen.empty() ? stability_cases(assets)
+                                    : std::vector<StabilityCase>{open_stability_case(flags.chosen, assets)};
+    });
+    if (cases.empty()) {
+        throw InputError("--assets: expected cases in " + (assets.folder() / "stability/cases").string() +
+                         ", found none");
     }
+    make_folder(flags.out);
     DrawingSession session(common);
     Target target(stability_timed_size);
     const StabilityDraw draw = cases_drawn_by(session.renderer(), target);
@@ -66,10 +57,15 @@ void add_stability(CLI::App &app, CommonOptions &common, Run &run) {
     command->add_option("--out", flags->out, "The folder that the three files go to; made if there is none")
         ->type_name("DIR")
         ->required();
-    command->add_option("--case", flags->name, "One case only; `list` names them")->type_name("NAME");
+    command->add_option("--case", flags->chosen, "Only this built-in case (see: list), or the case in a file")
+        ->type_name("NAME|FILE.json");
     command->add_flag("--json", flags->json, "Print the JSON instead of the table");
-    command->footer("Every case is drawn as a textbook has it and as this program does, and judged against the\n"
-                    "double-precision reference. Exit code 1 if a bound is broken.");
+    command->footer(
+        "Draws every case in the textbook's form and in this program's, and judges both against the\n"
+        "double-precision reference. Exit code 1 if this program breaks a bound. A case is a JSON file such as\n"
+        "  {\"group\": \"spot\", \"symptom\": \"...\", \"cause\": \"...\", \"source\": \"...\",\n"
+        "   \"scene\": \"spot-light\", \"set\": [\"lights[0].cutoff_degrees=0.1\"], \"bound\": 0.004}\n"
+        "with, if need be, techniques, textbook (a technique) and unit (\"brightest value\").");
     add_common_options(*command, common);
     command->callback([flags, &common, &run] { run = [flags, &common] { return run_stability(*flags, common); }; });
 }

@@ -4,6 +4,7 @@
 #include "scene/scene.h"
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,10 @@ std::string scene_text(const Scene &scene);
 
 /// `lights[0].diffuse=0.5`: one value changed, checked by the same rules; VALUE is JSON, or a bare word as a string.
 Scene with_setting(const Scene &scene, std::string_view path_equals_value);
+/// Several values changed, then checked together. `name` stands before the path in messages ("--set"); textures and
+/// models are looked for in `folder`.
+Scene with_settings(const Scene &scene, std::span<const std::string> settings, std::string_view name,
+                    const std::filesystem::path &folder);
 
 /// The JSON schema of scene files, made from the reader's own table.
 std::string scene_schema();

@@ -14,12 +14,12 @@ namespace {
 
 using Step = std::variant<std::string, std::size_t>; ///< a key or an index
 
-[[noreturn]] void refuse(std::string_view path, const std::string &what) {
-    throw InputError("--set " + std::string(path) + ": " + what);
+[[noreturn]] void refuse(std::string_view label, const std::string &what) {
+    throw InputError(std::string(label) + ": " + what);
 }
 
 /// `lights[0].diffuse` as {"lights", 0, "diffuse"}.
-std::vector<Step> parse_path(std::string_view path) {
+std::vector<Step> parse_path(std::string_view path, std::string_view label) {
     std::vector<Step> steps;
     for (std::string_view rest = path; !rest.empty();) {
         if (rest.front() == '[') {
@@ -28,7 +28,7 @@ std::vector<Step> parse_path(std::string_view path) {
             const char *stop = rest.data() + std::min(end, rest.size());
             const auto [parsed, error] = std::from_chars(rest.data() + 1, stop, index);
             if (end == std::string_view::npos || error != std::errc() || parsed != stop) {
-                refuse(path, "expected an index such as [0]");
+                refuse(label, "expected an index such as [0]");
             }
             steps.emplace_back(index);
             rest.remove_prefix(end + 1);
@@ -36,13 +36,13 @@ std::vector<Step> parse_path(std::string_view path) {
         }
         if (!steps.empty()) {
             if (rest.front() != '.') {
-                refuse(path, "expected a path such as lights[0].diffuse");
+                refuse(label, "expected a path such as lights[0].diffuse");
             }
             rest.remove_prefix(1);
         }
         const std::string_view key = rest.substr(0, rest.find_first_of(".["));
         if (key.empty()) {
-            refuse(path, "expected a path such as lights[0].diffuse");
+            refuse(label, "expected a path such as lights[0].diffuse");
         }
         steps.emplace_back(std::string(key));
         rest.remove_prefix(key.size());
@@ -51,9 +51,9 @@ std::vector<Step> parse_path(std::string_view path) {
 }
 
 /// JSON, or a bare word as a string.
-Json parse_value(std::string_view text, std::string_view path) {
+Json parse_value(std::string_view text, std::string_view label) {
     try {
-        return parse_json(text, "--set " + std::string(path));
+        return parse_json(text, label);
     } catch (const InputError &) {
         if (text.starts_with('[') || text.starts_with('{') || text.starts_with('"')) {
             throw;
@@ -62,35 +62,36 @@ Json parse_value(std::string_view text, std::string_view path) {
     }
 }
 
-Json &element(Json &json, std::size_t index, std::string_view path) {
+Json &element(Json &json, std::size_t index, std::string_view label) {
     if (!json.is_array()) {
-        refuse(path, "[" + std::to_string(index) + "] needs an array, and this is none");
+        refuse(label, "[" + std::to_string(index) + "] needs an array, and this is none");
     }
     if (index >= json.size()) {
-        refuse(path, "index " + std::to_string(index) + " is out of range; there are " + std::to_string(json.size()));
+        refuse(label, "index " + std::to_string(index) + " is out of range; there are " + std::to_string(json.size()));
     }
     return json[index];
 }
 
 /// A key that is not there yet (a checker's) is made; the reader refuses what the format does not know.
-Json &member(Json &json, const std::string &key, std::string_view path, bool an_index_follows) {
+Json &member(Json &json, const std::string &key, std::string_view label, bool an_index_follows) {
     if (!json.is_object() && !json.is_null()) {
-        refuse(path, "\"" + key + "\" needs an object, and this is none");
+        refuse(label, "\"" + key + "\" needs an object, and this is none");
     }
     if (an_index_follows && !json.contains(key)) {
         std::vector<std::string_view> known;
         for (const auto &[name, value] : json.items()) {
             known.push_back(json.find(name).key());
         }
-        refuse(path, "unknown key \"" + key + "\"" + suggestion(key, known));
+        refuse(label, "unknown key \"" + key + "\"" + suggestion(key, known));
     }
     return json[key];
 }
 
-void set(Json &scene, std::string_view path, Json value) {
-    const std::vector<Step> steps = parse_path(path);
+/// `label` names the setting in messages; a texture or model is looked for in `folder`.
+void set(Json &scene, std::string_view path, Json value, std::string_view label, const std::filesystem::path &folder) {
+    const std::vector<Step> steps = parse_path(path, label);
     if (steps.empty()) {
-        refuse(path, "expected a path such as lights[0].diffuse");
+        refuse(label, "expected a path such as lights[0].diffuse");
     }
     Json *parent = nullptr;
     Json *at = &scene;
@@ -98,13 +99,13 @@ void set(Json &scene, std::string_view path, Json value) {
         parent = at;
         const bool an_index_follows = i + 1 < steps.size() && std::holds_alternative<std::size_t>(steps[i + 1]);
         const auto *index = std::get_if<std::size_t>(&steps[i]);
-        at = index != nullptr ? &element(*at, *index, path)
-                              : &member(*at, std::get<std::string>(steps[i]), path, an_index_follows);
+        at = index != nullptr ? &element(*at, *index, label)
+                              : &member(*at, std::get<std::string>(steps[i]), label, an_index_follows);
     }
     const auto *key = std::get_if<std::string>(&steps.back());
     const bool is_path = key != nullptr && (*key == "texture" || *key == "obj") && value.is_string();
     if (is_path) {
-        value = resolve_path(value.get<std::string>(), std::filesystem::current_path());
+        value = resolve_path(value.get<std::string>(), folder);
     }
     if (key != nullptr && (*key == "shape" || *key == "obj")) { // another shape has other keys
         *parent = Json::object({{*key, std::move(value)}});
@@ -115,15 +116,24 @@ void set(Json &scene, std::string_view path, Json value) {
 
 } // namespace
 
-Scene with_setting(const Scene &scene, std::string_view path_equals_value) {
-    const std::size_t equals = path_equals_value.find('=');
-    if (equals == std::string_view::npos) {
-        refuse(path_equals_value, "expected PATH=VALUE, such as lights[0].diffuse=0.5");
-    }
-    const std::string_view path = path_equals_value.substr(0, equals);
+Scene with_settings(const Scene &scene, std::span<const std::string> settings, std::string_view name,
+                    const std::filesystem::path &folder) {
     Json json = write_scene(scene, Keys::all);
-    set(json, path, parse_value(path_equals_value.substr(equals + 1), path));
-    return read_scene(json, "--set", {});
+    for (const std::string &setting : settings) {
+        const std::size_t equals = setting.find('=');
+        const std::string path = setting.substr(0, equals);
+        const std::string label = std::string(name) + " " + path;
+        if (equals == std::string::npos) {
+            refuse(label, "expected PATH=VALUE, such as lights[0].diffuse=0.5");
+        }
+        set(json, path, parse_value(std::string_view(setting).substr(equals + 1), label), label, folder);
+    }
+    return read_scene(json, name, {});
+}
+
+Scene with_setting(const Scene &scene, std::string_view path_equals_value) {
+    const std::string setting(path_equals_value);
+    return with_settings(scene, {&setting, 1}, "--set", std::filesystem::current_path());
 }
 
 } // namespace sandbox

@@ -1,34 +1,54 @@
 #pragma once
 
-#include "measure/stability/stability.h"
+#include "scene/assets.h"
+#include "scene/scene.h"
+#include "shading/technique.h"
 
-#include <initializer_list>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
-/// The table of cases, by group; stability_cases() joins them.
-namespace sandbox::stability {
+/// The stiff and extreme cases as data: assets/stability/cases/NAME.json, or a file that a teacher wrote.
+namespace sandbox {
 
-std::vector<StabilityCase> exponent_cases();
-std::vector<StabilityCase> geometry_cases();
-std::vector<StabilityCase> attenuation_cases();
-std::vector<StabilityCase> spot_cases();
-std::vector<StabilityCase> transform_cases();
-std::vector<StabilityCase> vertex_cases();
-std::vector<StabilityCase> placement_cases();
-std::vector<StabilityCase> magnitude_cases();
+/// What a bound is a share of.
+enum class ErrorUnit {
+    linear_color,   ///< 1, a display's white
+    brightest_value ///< the largest channel of the reference's compared pixels: for scenes far from a display's range
+};
+/// As files write it: "linear colour", "brightest value".
+std::string_view name_of(ErrorUnit unit);
 
-/// One 8-bit level.
-constexpr double one_level = 1.0 / 255;
+struct StabilityCase {
+    std::string name;                   ///< the file's name without .json
+    std::string group;                  ///< cases of a group stand together
+    std::string symptom, cause, source; ///< the story: what is seen, why, and who meets it
+    Scene scene;
+    std::vector<Technique> techniques; ///< every one must pass; the first is shown
+    /// The same program with the textbook's power; without it, the textbook is textbook_picture().
+    std::optional<Technique> textbook;
+    double bound = 0; ///< of the largest difference over the compared pixels
+    ErrorUnit unit = ErrorUnit::linear_color;
+};
 
-/// An object at the origin, seen from (0, 0, 4).
-Scene scene_of(const Shape &shape, std::vector<Light> lights);
-Light point_light(const glm::dvec3 &position);
-Light directional_light(const glm::dvec3 &direction);
-Light spot_light(const glm::dvec3 &position, const glm::dvec3 &direction, double cutoff_degrees);
+/// Reads a case. `text` is a JSON object with the keys
+///   group, symptom, cause, source: strings that are not empty;
+///   scene: the name of a scene in assets/stability/scenes, a built-in scene, a file, or a scene object;
+///   set: a list of PATH=VALUE, as --set takes them, that change the scene (default: none);
+///   techniques: a list (default: per pixel by Phong, by Blinn-Phong and by its full program, and per vertex);
+///   textbook: a technique (default: none), bound: a number > 0 (default: 1/255), unit: see name_of (linear colour).
+/// `file` is used in messages and gives the case its name; relative paths are looked for in `folder`. Throws
+/// InputError.
+StabilityCase parse_stability_case(std::string_view text, const std::filesystem::path &file,
+                                   const std::filesystem::path &folder, const Assets &assets);
 
-std::vector<Technique> techniques(std::initializer_list<const char *> texts);
-/// Per pixel by both models, by the full program, and per vertex: where most equations run.
-std::vector<Technique> usual_techniques();
-/// The usual ones and every other frequency.
-std::vector<Technique> all_frequencies();
+/// The built-in cases in the order of assets/stability/order.json; those that it does not name come last in their
+/// group.
+std::vector<StabilityCase> stability_cases(const Assets &assets = Assets("assets"));
 
-} // namespace sandbox::stability
+/// The built-in case of that name, or the case in the file NAME.json. Throws InputError.
+StabilityCase open_stability_case(const std::string &name_or_file, const Assets &assets);
+
+} // namespace sandbox

@@ -2,9 +2,8 @@
 
 #include "image/image.h"
 #include "measure/metrics/metrics.h"
+#include "measure/stability/cases.h"
 #include "scene/resources.h"
-#include "scene/scene.h"
-#include "shading/technique.h"
 
 #include <functional>
 #include <optional>
@@ -15,27 +14,6 @@
 /// The stiff and extreme cases: scenes on which a textbook's float32 formulas break, drawn and judged against the
 /// double reference. Knows no OpenGL.
 namespace sandbox {
-
-/// What a bound is a share of.
-enum class ErrorUnit {
-    linear_color,   ///< 1, a display's white
-    brightest_value ///< the largest channel of the reference's compared pixels: scenes far brighter or darker than
-                    ///< white
-};
-
-struct StabilityCase {
-    std::string name, group;
-    std::string symptom, cause, source; ///< the story: what is seen, why, and who meets it
-    Scene scene;
-    std::vector<Technique> techniques; ///< every one must pass; the first is shown
-    /// The same program with the textbook's power; without it, the textbook is textbook_picture().
-    std::optional<Technique> textbook;
-    double bound = 0; ///< of the largest difference over the compared pixels
-    ErrorUnit unit = ErrorUnit::linear_color;
-};
-
-/// Groups in the order of the table in the report; cases of a group stand together.
-std::vector<StabilityCase> stability_cases();
 
 /// One picture against the truth.
 struct StabilityRow {
