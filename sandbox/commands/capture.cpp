@@ -1,12 +1,13 @@
 #include "commands/commands.h"
 
-#include "capture/orbit.h"
+#include "capture/frame_names.h"
 #include "capture/sidecar.h"
 #include "commands/interrupt.h"
 #include "commands/progress_bar.h"
 #include "commands/session.h"
 #include "image/image_file.h"
 #include "measure/stability/stability.h"
+#include "scene/orbit.h"
 
 #include <cmath>
 #include <memory>

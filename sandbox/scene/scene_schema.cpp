@@ -37,13 +37,8 @@ OrderedJson array_of(OrderedJson items, std::size_t low, double high) {
 }
 
 /// The type of a key and, where it is plain, its default.
-OrderedJson type_of(double value, const Range &range) {
-    OrderedJson json = number("number", range);
-    json["default"] = value;
-    return json;
-}
-OrderedJson type_of(int value, const Range &range) {
-    OrderedJson json = number("integer", range);
+template <class Number> OrderedJson type_of(Number value, const Range &range) requires std::is_arithmetic_v<Number> {
+    OrderedJson json = number(std::is_integral_v<Number> ? "integer" : "number", range);
     json["default"] = value;
     return json;
 }
@@ -63,22 +58,22 @@ template <int N> OrderedJson type_of(const glm::vec<N, double> &value, const Ran
     }
     return json;
 }
-OrderedJson type_of(const std::array<glm::dvec3, 2> &, const Range &range) {
-    return array_of(array_of(number("number", range), 3, 3), 2, 2);
+template <std::size_t N> OrderedJson type_of(const std::array<glm::dvec3, N> &, const Range &range) {
+    return array_of(array_of(number("number", range), 3, 3), N, N);
 }
 template <class T> OrderedJson type_of(const std::vector<T> &, const Range &range) {
-    return array_of(reference(Format<T>::name), 0, range.high);
+    return array_of(reference(format_of<T>.name), 0, range.high);
 }
-template <class T> OrderedJson type_of(const std::optional<T> &, const Range &) { return reference(Format<T>::name); }
+template <class T> OrderedJson type_of(const std::optional<T> &, const Range &) { return reference(format_of<T>.name); }
 OrderedJson type_of(const Shape &, const Range &) { return reference("mesh"); }
 template <class T> OrderedJson type_of(const T &, const Range &) requires HasFormat<T> {
-    return reference(Format<T>::name);
+    return reference(format_of<T>.name);
 }
 
 template <class T> OrderedJson required_keys(const T &value) {
     OrderedJson keys = OrderedJson::array();
     for_each_field<T>([&](const auto &field) {
-        if (field.needed(value)) {
+        if (field.rules.needed(value)) {
             keys.push_back(std::string(field.key));
         }
     });
@@ -87,11 +82,11 @@ template <class T> OrderedJson required_keys(const T &value) {
 
 template <class T> OrderedJson object_schema() {
     const T defaults{};
-    OrderedJson json{{"type", "object"}, {"description", std::string(Format<T>::doc)}};
+    OrderedJson json{{"type", "object"}, {"description", std::string(format_of<T>.doc)}};
     OrderedJson &properties = json["properties"];
     for_each_field<T>([&](const auto &field) {
         OrderedJson property = type_of(defaults.*field.member, field.range);
-        if (field.needed(defaults)) {
+        if (field.rules.needed(defaults)) {
             property.erase("default");
         }
         // Beside $ref, draft 7 ignores other words; the referenced type describes itself.
@@ -126,7 +121,7 @@ OrderedJson mesh_schema() {
     for_each_shape([&]<class S>(std::type_identity<S>) {
         OrderedJson shape = object_schema<S>();
         if constexpr (!std::is_same_v<S, ObjShape>) {
-            shape["properties"]["shape"] = {{"const", std::string(Format<S>::name)}};
+            shape["properties"]["shape"] = {{"const", std::string(format_of<S>.name)}};
             shape["required"] = OrderedJson::array({"shape"});
         }
         json["oneOf"].push_back(std::move(shape));
@@ -135,7 +130,7 @@ OrderedJson mesh_schema() {
 }
 
 template <class... T> void define(OrderedJson &definitions) {
-    ((definitions[std::string(Format<T>::name)] = object_schema<T>()), ...);
+    ((definitions[std::string(format_of<T>.name)] = object_schema<T>()), ...);
 }
 
 } // namespace

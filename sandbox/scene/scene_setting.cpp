@@ -4,129 +4,123 @@
 #include "scene/scene_json.h"
 #include "scene/suggest.h"
 
+#include <algorithm>
 #include <charconv>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <variant>
 
 namespace sandbox {
 namespace {
 
-using Step = std::variant<std::string, std::size_t>; ///< a key or an index
+/// One `PATH=VALUE`; `label` names it in messages.
+class Setting {
+  public:
+    Setting(std::string_view path, std::string label) : path_(path), rest_(path), label_(std::move(label)) {}
 
-[[noreturn]] void refuse(std::string_view label, const std::string &what) {
-    throw InputError(std::string(label) + ": " + what);
-}
+    /// A texture or model is looked for in `folder`.
+    void apply(Json &scene, std::string_view text, const std::filesystem::path &folder) {
+        Json value = parse_value(text);
+        Json *parent = nullptr;
+        Json *at = &scene;
+        std::string key; ///< the last step; empty: an index
+        while (at == &scene || !rest_.empty()) {
+            parent = at;
+            key = rest_.starts_with('[') ? "" : take_key();
+            at = key.empty() ? &element(*at, take_index()) : &member(*at, key);
+        }
+        if ((key == "texture" || key == "obj") && value.is_string()) {
+            value = resolve_path(value.get<std::string>(), folder);
+        }
+        if (key == "shape" || key == "obj") { // another shape has other keys
+            *parent = Json::object({{key, std::move(value)}});
+        } else {
+            *at = std::move(value);
+        }
+    }
 
-/// `lights[0].diffuse` as {"lights", 0, "diffuse"}.
-std::vector<Step> parse_path(std::string_view path, std::string_view label) {
-    std::vector<Step> steps;
-    for (std::string_view rest = path; !rest.empty();) {
-        if (rest.front() == '[') {
-            std::size_t index = 0;
-            const std::size_t end = rest.find(']');
-            const char *stop = rest.data() + std::min(end, rest.size());
-            const auto [parsed, error] = std::from_chars(rest.data() + 1, stop, index);
-            if (end == std::string_view::npos || error != std::errc() || parsed != stop) {
-                refuse(label, "expected an index such as [0]");
+  private:
+    std::string_view path_;
+    std::string_view rest_; ///< of the path
+    std::string label_;
+
+    [[noreturn]] void refuse(const std::string &what) const { throw InputError(fmt::format("{}: {}", label_, what)); }
+
+    /// JSON, or a bare word as a string.
+    [[nodiscard]] Json parse_value(std::string_view text) const {
+        try {
+            return parse_json(text, label_);
+        } catch (const InputError &) {
+            if (text.starts_with('[') || text.starts_with('{') || text.starts_with('"')) {
+                throw;
             }
-            steps.emplace_back(index);
-            rest.remove_prefix(end + 1);
-            continue;
+            return std::string(text);
         }
-        if (!steps.empty()) {
-            if (rest.front() != '.') {
-                refuse(label, "expected a path such as lights[0].diffuse");
+    }
+
+    /// Of "[0]", with which the rest begins.
+    std::size_t take_index() {
+        std::size_t index = 0;
+        const std::size_t end = rest_.find(']');
+        const char *stop = rest_.data() + std::min(end, rest_.size());
+        const auto [parsed, error] = std::from_chars(rest_.data() + 1, stop, index);
+        if (end == std::string_view::npos || error != std::errc() || parsed != stop) {
+            refuse("expected an index such as [0]");
+        }
+        rest_.remove_prefix(end + 1);
+        return index;
+    }
+
+    /// Of "key" or, behind another step, ".key".
+    std::string take_key() {
+        const bool first = rest_.size() == path_.size();
+        const std::size_t begin = first ? 0 : 1;
+        const std::string key(rest_.substr(begin, rest_.find_first_of(".[", begin) - begin));
+        if (key.empty() || (!first && rest_.front() != '.')) {
+            refuse("expected a path such as lights[0].diffuse");
+        }
+        rest_.remove_prefix(begin + key.size());
+        return key;
+    }
+
+    [[nodiscard]] Json &element(Json &json, std::size_t index) const {
+        if (!json.is_array()) {
+            refuse(fmt::format("[{}] needs an array, and this is none", index));
+        }
+        if (index >= json.size()) {
+            refuse(fmt::format("index {} is out of range; there are {}", index, json.size()));
+        }
+        return json[index];
+    }
+
+    /// A key that is not there yet (a checker's) is made; the reader refuses what the format does not know.
+    [[nodiscard]] Json &member(Json &json, const std::string &key) const {
+        if (!json.is_object() && !json.is_null()) {
+            refuse(fmt::format("\"{}\" needs an object, and this is none", key));
+        }
+        if (rest_.starts_with('[') && !json.contains(key)) {
+            std::vector<std::string_view> known;
+            for (const auto &[name, value] : json.items()) {
+                known.push_back(json.find(name).key());
             }
-            rest.remove_prefix(1);
+            refuse(fmt::format("unknown key \"{}\"{}", key, suggestion(key, known)));
         }
-        const std::string_view key = rest.substr(0, rest.find_first_of(".["));
-        if (key.empty()) {
-            refuse(label, "expected a path such as lights[0].diffuse");
-        }
-        steps.emplace_back(std::string(key));
-        rest.remove_prefix(key.size());
+        return json[key];
     }
-    return steps;
-}
-
-/// JSON, or a bare word as a string.
-Json parse_value(std::string_view text, std::string_view label) {
-    try {
-        return parse_json(text, label);
-    } catch (const InputError &) {
-        if (text.starts_with('[') || text.starts_with('{') || text.starts_with('"')) {
-            throw;
-        }
-        return std::string(text);
-    }
-}
-
-Json &element(Json &json, std::size_t index, std::string_view label) {
-    if (!json.is_array()) {
-        refuse(label, "[" + std::to_string(index) + "] needs an array, and this is none");
-    }
-    if (index >= json.size()) {
-        refuse(label, "index " + std::to_string(index) + " is out of range; there are " + std::to_string(json.size()));
-    }
-    return json[index];
-}
-
-/// A key that is not there yet (a checker's) is made; the reader refuses what the format does not know.
-Json &member(Json &json, const std::string &key, std::string_view label, bool an_index_follows) {
-    if (!json.is_object() && !json.is_null()) {
-        refuse(label, "\"" + key + "\" needs an object, and this is none");
-    }
-    if (an_index_follows && !json.contains(key)) {
-        std::vector<std::string_view> known;
-        for (const auto &[name, value] : json.items()) {
-            known.push_back(json.find(name).key());
-        }
-        refuse(label, "unknown key \"" + key + "\"" + suggestion(key, known));
-    }
-    return json[key];
-}
-
-/// `label` names the setting in messages; a texture or model is looked for in `folder`.
-void set(Json &scene, std::string_view path, Json value, std::string_view label, const std::filesystem::path &folder) {
-    const std::vector<Step> steps = parse_path(path, label);
-    if (steps.empty()) {
-        refuse(label, "expected a path such as lights[0].diffuse");
-    }
-    Json *parent = nullptr;
-    Json *at = &scene;
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-        parent = at;
-        const bool an_index_follows = i + 1 < steps.size() && std::holds_alternative<std::size_t>(steps[i + 1]);
-        const auto *index = std::get_if<std::size_t>(&steps[i]);
-        at = index != nullptr ? &element(*at, *index, label)
-                              : &member(*at, std::get<std::string>(steps[i]), label, an_index_follows);
-    }
-    const auto *key = std::get_if<std::string>(&steps.back());
-    const bool is_path = key != nullptr && (*key == "texture" || *key == "obj") && value.is_string();
-    if (is_path) {
-        value = resolve_path(value.get<std::string>(), folder);
-    }
-    if (key != nullptr && (*key == "shape" || *key == "obj")) { // another shape has other keys
-        *parent = Json::object({{*key, std::move(value)}});
-    } else {
-        *at = std::move(value);
-    }
-}
+};
 
 } // namespace
 
 Scene with_settings(const Scene &scene, std::span<const std::string> settings, std::string_view name,
                     const std::filesystem::path &folder) {
     Json json = write_scene(scene, Keys::all);
-    for (const std::string &setting : settings) {
+    for (const std::string_view setting : settings) {
         const std::size_t equals = setting.find('=');
-        const std::string path = setting.substr(0, equals);
-        const std::string label = std::string(name) + " " + path;
-        if (equals == std::string::npos) {
-            refuse(label, "expected PATH=VALUE, such as lights[0].diffuse=0.5");
+        const std::string_view path = setting.substr(0, equals);
+        const std::string label = fmt::format("{} {}", name, path);
+        if (equals == std::string_view::npos) {
+            throw InputError(label + ": expected PATH=VALUE, such as lights[0].diffuse=0.5");
         }
-        set(json, path, parse_value(std::string_view(setting).substr(equals + 1), label), label, folder);
+        Setting(path, label).apply(json, setting.substr(equals + 1), folder);
     }
     return read_scene(json, name, {});
 }

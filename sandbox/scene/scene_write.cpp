@@ -20,16 +20,11 @@ class Writer {
   private:
     Keys keys_;
 
-    template <class T> static const T &default_of() {
-        static const T value{};
-        return value;
-    }
-
     template <class T> void add_fields(OrderedJson &json, const T &value) const {
         for_each_field<T>([&](const auto &field) {
             const auto &member = value.*field.member;
-            const bool said = keys_ == Keys::all || field.needed(value) || !(member == default_of<T>().*field.member);
-            if (special(value, field.key).value_or(said)) {
+            const bool written = keys_ == Keys::all || field.rules.needed(value) || member != T{}.*field.member;
+            if (special(value, field.key).value_or(written)) {
                 json[std::string(field.key)] = write(member);
             }
         });
@@ -45,18 +40,8 @@ class Writer {
         return key == "checker" ? std::optional(material.checker.has_value()) : std::nullopt;
     }
 
-    static OrderedJson write(double value) { return value; }
-    static OrderedJson write(int value) { return value; }
-    static OrderedJson write(bool value) { return value; }
-    static OrderedJson write(const std::string &value) { return value; }
-    static OrderedJson write(LightType value) {
-        for (const LightWord &word : light_words) {
-            if (word.type == value) {
-                return std::string(word.word);
-            }
-        }
-        return nullptr;
-    }
+    template <class T> static OrderedJson write(const T &value) { return value; }
+    static OrderedJson write(LightType value) { return std::string(word_of(value)); }
     template <int N> static OrderedJson write(const glm::vec<N, double> &value) {
         OrderedJson json = OrderedJson::array();
         for (int i = 0; i < N; ++i) {
@@ -64,23 +49,22 @@ class Writer {
         }
         return json;
     }
-    static OrderedJson write(const std::array<glm::dvec3, 2> &value) {
-        return OrderedJson::array({write(value[0]), write(value[1])});
-    }
-    template <class T> OrderedJson write(const std::vector<T> &values) const {
+    template <class T> OrderedJson list(const T &values) const {
         OrderedJson json = OrderedJson::array();
-        for (const T &value : values) {
-            json.push_back(object(value));
+        for (const auto &value : values) {
+            json.push_back(write(value));
         }
         return json;
     }
+    template <std::size_t N> OrderedJson write(const std::array<glm::dvec3, N> &colors) const { return list(colors); }
+    template <class T> OrderedJson write(const std::vector<T> &values) const { return list(values); }
     template <class T> OrderedJson write(const std::optional<T> &value) const { return object(*value); }
     OrderedJson write(const Shape &shape) const {
         return std::visit(
             [&]<class S>(const S &value) {
                 OrderedJson json = OrderedJson::object();
                 if constexpr (!std::is_same_v<S, ObjShape>) {
-                    json["shape"] = std::string(Format<S>::name);
+                    json["shape"] = std::string(format_of<S>.name);
                 }
                 add_fields(json, value);
                 return json;

@@ -25,7 +25,7 @@ bool begin_fixed(const char *name, ImVec2 position, ImVec2 size, ImGuiWindowFlag
 
 float side_width(const ImGuiViewport &window) { return std::min(ImGui::GetFontSize() * 22, window.WorkSize.x * 0.5F); }
 
-/// The side panel scrolls; all else stays.
+/// The only part that scrolls.
 void draw_side(Session &session, ImVec2 position, ImVec2 size) {
     constexpr ImGuiWindowFlags scrolling =
         (fixed_window & ~ImGuiWindowFlags_NoScrollbar) | ImGuiWindowFlags_AlwaysVerticalScrollbar;
@@ -38,15 +38,14 @@ void draw_side(Session &session, ImVec2 position, ImVec2 size) {
     ImGui::End();
 }
 
-/// The lowest `height` of the room at `corner`.
-void draw_bottom(Session &session, ViewPainter &painter, BottomPanel &panel, const Fonts &fonts, ImVec2 corner,
-                 ImVec2 room, float height) {
+/// Along the bottom of the area `room` at `corner`, `height` high.
+void draw_bottom(Session &session, ViewPainter &painter, BottomPanel &panel, ImVec2 corner, ImVec2 room, float height) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     const bool open = begin_fixed("bottom", {corner.x, corner.y + room.y - height}, {room.x, height});
     ImGui::PopStyleVar(2);
     if (open) {
-        panel.draw(session, painter, fonts, room.y);
+        panel.draw(session, painter, room.y);
     }
     ImGui::End();
 }
@@ -57,11 +56,11 @@ void status_line(Session &session, float height) {
     StatusLine &status = session.status;
     if (status.message != session.message.text) {
         status = {session.message.text, session.hint};
-    } else if (status.over != session.hint) {
-        status.over.clear();
+    } else if (status.hidden_hint != session.hint) {
+        status.hidden_hint.clear();
     }
     ImGui::SetCursorPosY((height - ImGui::GetTextLineHeight()) / 2);
-    if (!session.hint.empty() && session.hint != status.over) {
+    if (!session.hint.empty() && session.hint != status.hidden_hint) {
         ImGui::TextColored(quiet_text(), "%s", session.hint.c_str());
     } else if (session.message.error) {
         ImGui::TextColored(error_text(), "%s", session.message.text.c_str());
@@ -70,13 +69,13 @@ void status_line(Session &session, float height) {
     }
 }
 
-void draw_frame(Session &session, ViewPainter &painter, BottomPanel &bottom_panel, const Fonts &fonts) {
+void draw_frame(Session &session, ViewPainter &painter, BottomPanel &bottom_panel) {
     session.hint.clear();
     const bool panels = session.appearance.panels;
     if (panels) {
         menu_bar(session);
     }
-    const ImGuiViewport &window = *ImGui::GetMainViewport(); // after the menu bar took its part
+    const ImGuiViewport &window = *ImGui::GetMainViewport(); // less the menu bar
     const float status = panels ? ImGui::GetFrameHeight() : 0;
     const float side = panels ? side_width(window) : 0;
     const ImVec2 origin = window.WorkPos;
@@ -95,7 +94,7 @@ void draw_frame(Session &session, ViewPainter &painter, BottomPanel &bottom_pane
     ImGui::End();
     ImGui::PopStyleVar();
     if (panels) {
-        draw_bottom(session, painter, bottom_panel, fonts, {origin.x + side, origin.y}, room, bottom);
+        draw_bottom(session, painter, bottom_panel, {origin.x + side, origin.y}, room, bottom);
     }
     if (panels) {
         ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
@@ -109,7 +108,7 @@ void draw_frame(Session &session, ViewPainter &painter, BottomPanel &bottom_pane
     }
     key_list(session);
     if (!ImGui::IsAnyItemActive()) {
-        session.history.record(session.document); // a drag is one step: it counts when it ends
+        session.history.record(session.document); // a whole drag is one step
     }
 }
 

@@ -3,12 +3,11 @@
 #include "ui/session/session.h"
 #include "ui/tabs/bottom_panel.h"
 #include "ui/views/view_painter.h"
-#include "ui/widgets/fonts.h"
 
 namespace sandbox {
 
-/// Everything inside the window, once: panels edit the session, pictures are brought up to date.
-void draw_frame(Session &session, ViewPainter &painter, BottomPanel &bottom, const Fonts &fonts);
+/// Draws everything inside the window once: panels edit the session, pictures are updated.
+void draw_frame(Session &session, ViewPainter &painter, BottomPanel &bottom);
 
 void menu_bar(Session &session);
 /// The bottom line: a hint about what the mouse is over, else the last message. `height` in ImGui's units.

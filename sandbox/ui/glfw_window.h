@@ -16,7 +16,7 @@ struct KeyPress {
     bool repeated;
 };
 
-/// What arrived since it was last looked at.
+/// Input since the last take_arrivals().
 struct Arrivals {
     bool any = false; ///< anything at all that may change the picture
     std::vector<KeyPress> keys;
@@ -27,7 +27,7 @@ struct Arrivals {
 /// The operating system's window. Its OpenGL 3.3 context is made current by Context::of_window().
 class GlfwWindow {
   public:
-    /// Hidden until show(). Throws MachineError, saying what to do, where there is no display or no OpenGL 3.3.
+    /// Hidden until show(). Throws MachineError, which says what to do, if there is no display or no OpenGL 3.3.
     explicit GlfwWindow(Size size);
     ~GlfwWindow();
     GlfwWindow(const GlfwWindow &) = delete;

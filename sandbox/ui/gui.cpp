@@ -1,5 +1,6 @@
 #include "ui/gui.h"
 
+#include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
 
 #include <backends/imgui_impl_glfw.h>
@@ -16,7 +17,7 @@ Gui::Gui(GLFWwindow *window, float content_scale) : content_scale_(content_scale
     io.LogFilename = nullptr;
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     io.ConfigInputTextCursorBlink = false;      // a blinking cursor would need frames while nothing happens
-    ImGui_ImplGlfw_InitForOpenGL(window, true); // calls on the callbacks that the window has
+    ImGui_ImplGlfw_InitForOpenGL(window, true); // chains to the installed callbacks
     ImGui_ImplOpenGL3_Init("#version 330 core");
     io.KeyMap[ImGuiKey_Tab] = -1; // Tab hides the panels
 }
@@ -29,7 +30,7 @@ Gui::~Gui() {
 
 void Gui::restyle(bool dark, float scale) {
     if (scale != scale_) {
-        fonts_ = load_fonts(scale);
+        load_fonts(scale);
         if (scale_ != 0) { // the first texture is made by the backend itself
             ImGui_ImplOpenGL3_DestroyFontsTexture();
             ImGui_ImplOpenGL3_CreateFontsTexture();

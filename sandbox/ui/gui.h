@@ -1,7 +1,6 @@
 #pragma once
 
 #include "ui/session/session.h"
-#include "ui/widgets/fonts.h"
 
 struct GLFWwindow;
 
@@ -16,17 +15,15 @@ class Gui {
     Gui(const Gui &) = delete;
     Gui &operator=(const Gui &) = delete;
 
-    /// Begins a frame that looks as `appearance` says; new fonts where the scale changed.
+    /// Begins a frame with this theme and scale; loads new fonts if the scale changed.
     void begin_frame(const Appearance &appearance);
-    /// Draws it into the framebuffer that is bound.
+    /// Draws the frame into the bound framebuffer.
     void end_frame();
-    [[nodiscard]] const Fonts &fonts() const { return fonts_; }
 
   private:
     void restyle(bool dark, float scale);
 
     float content_scale_;
-    Fonts fonts_;
     bool dark_ = true;
     float scale_ = 0; ///< of the fonts that are loaded; 0: none yet
 };

@@ -1,25 +1,19 @@
 #include "ui/frame.h"
 
+#include "ui/keys.h"
+#include "ui/tabs/bottom_tabs.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
+#include <algorithm>
+#include <fmt/format.h>
 #include <imgui.h>
 #include <string>
+#include <utility>
 
 namespace sandbox {
 
 namespace {
-
-struct Mode {
-    ViewMode mode;
-    const char *name, *hint;
-};
-constexpr Mode modes[] = {
-    {ViewMode::side_by_side, "side by side", "A and B beside each other (1)."},
-    {ViewMode::wipe, "wipe", "A over B; drag the divider (2)."},
-    {ViewMode::flip, "flip", "A; hold Space to see B in its place (3)."},
-    {ViewMode::difference, "difference", "A - B in colours, with a scale (4)."},
-};
 
 void scene_menu(Session &session) {
     if (!ImGui::BeginMenu("Scene")) {
@@ -60,22 +54,14 @@ void window_menu(Session &session) {
         return;
     }
     Appearance &look = session.appearance;
-    if (ImGui::MenuItem("Dark", "T", look.dark)) {
-        look.dark = true;
-    }
-    if (ImGui::MenuItem("Light", "T", !look.dark)) {
-        look.dark = false;
-    }
+    ImGui::MenuItem("Dark", "T", &look.dark);
     ImGui::Separator();
     ImGui::MenuItem("Panels", "Tab", &look.panels);
-    if (ImGui::MenuItem("Error vs run time", "E", look.tab == BottomTab::error_time)) {
-        toggle_tab(session, BottomTab::error_time);
-    }
-    if (ImGui::MenuItem("GLSL", "G", look.tab == BottomTab::glsl)) {
-        toggle_tab(session, BottomTab::glsl);
-    }
-    if (ImGui::MenuItem("Stability", "S", look.tab == BottomTab::stability)) {
-        toggle_tab(session, BottomTab::stability);
+    for (std::size_t tab = 0; tab < std::size(bottom_tabs); ++tab) {
+        const BottomTab &row = bottom_tabs[tab];
+        if (ImGui::MenuItem(row.title, std::string(1, row.key).c_str(), look.tab == tab)) {
+            toggle_tab(session, tab);
+        }
     }
     ImGui::MenuItem("Full screen", "F11", &look.full_screen);
     ImGui::Separator();
@@ -88,24 +74,23 @@ void window_menu(Session &session) {
 
 void view_buttons(Session &session) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {2, 0});
-    for (const Mode &mode : modes) {
-        if (toggle_button(mode.name, session.view.mode == mode.mode)) {
-            session.view.mode = mode.mode;
+    for (const LayoutChoice &choice : layout_choices) {
+        if (toggle_button(choice.name, session.view.layout == choice.layout)) {
+            session.view.layout = choice.layout;
         }
-        hint_for_item(session, mode.hint);
+        hint_for_item(session, fmt::format("{} ({}).", choice.help, choice.key));
     }
     ImGui::PopStyleVar();
 }
 
 void right_buttons(Session &session) {
-    const float padding = ImGui::GetStyle().FramePadding.x * 2;
-    const float width = ImGui::CalcTextSize("Capture").x + ImGui::CalcTextSize("?").x + padding * 2 +
-                        ImGui::GetStyle().ItemSpacing.x * 2;
+    const float width = button_width("Capture") + button_width("?") + ImGui::GetStyle().ItemSpacing.x * 2;
     ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowWidth() - width));
     if (ImGui::Button("Capture")) {
         session.requests.capture = true;
     }
-    hint_for_item(session, "Writes the views, without the panels, as a PNG and what it was made from beside it (F12).");
+    hint_for_item(session,
+                  "Writes the views, without the panels, as a PNG, and beside it a file that reproduces them (F12).");
     if (ImGui::Button("?")) {
         session.appearance.key_list = !session.appearance.key_list;
     }

@@ -1,5 +1,8 @@
 #include "ui/window.h"
 
+#include "capture/sidecar.h"
+#include "image/image_file.h"
+#include "measure/stability/stability.h"
 #include "render/context.h"
 #include "render/window_surface.h"
 #include "scene/scene_file.h"
@@ -7,8 +10,8 @@
 #include "ui/glfw_window.h"
 #include "ui/gui.h"
 #include "ui/keys.h"
+#include "ui/session/capture_files.h"
 #include "ui/session/open_file.h"
-#include "ui/views/capture_views.h"
 
 #include <GLFW/glfw3.h>
 #include <algorithm>
@@ -29,7 +32,26 @@ Document first_document(const WindowOptions &options) {
     return document_from(options.file, Session(plain));
 }
 
-/// The parts of a running window, made in this order and undone in the other.
+/// Writes what the views show, and its sidecar beside it; returns the picture's path. Throws InputError.
+std::filesystem::path capture_views(const Session &session, ViewPainter &painter, const DrawnBy &by) {
+    const Size each = painter.view(false).size;
+    const Scene scene = scene_in_view(session.document, each); // so that the sidecar alone gives the same picture
+    const PictureOptions options = picture_options(session, each);
+    Renderer &renderer = painter.renderer();
+    const DrawView draw = [&](const Scene &s, const Technique &t, Size size) {
+        return renderer.render(s, t, size).color;
+    };
+    const DrawView textbook = [&](const Scene &s, const Technique &t, Size size) {
+        return textbook_picture(s, renderer.resources().load(s), t, size).color;
+    };
+    const Image linear = draw_picture(scene, options, draw, textbook);
+    const auto path = std::filesystem::absolute(free_name(capture_folder(), session.document.opened->name));
+    write_file(path, encode_png(show_picture(linear, options)));
+    write_file(sidecar_path(path), sidecar_text(scene, options, by));
+    return path;
+}
+
+/// The parts of a running window: made in this order, destroyed in reverse.
 class Window {
   public:
     explicit Window(const WindowOptions &options);
@@ -131,7 +153,7 @@ void Window::draw() {
     }
     window_.set_full_screen(session_.appearance.full_screen);
     gui_.begin_frame(session_.appearance);
-    draw_frame(session_, painter_, bottom_, gui_.fonts());
+    draw_frame(session_, painter_, bottom_);
     begin_window_surface(size);
     gui_.end_frame();
     glfwSwapBuffers(window_.handle());
@@ -166,8 +188,7 @@ void Window::open(const std::string &name_or_path) {
 void Window::capture() {
     try {
         const DrawnBy by{context_->renderer(), context_->version()};
-        const auto path = std::filesystem::absolute(capture_views(session_, painter_, by));
-        session_.message = {"Captured to " + path.string(), false};
+        session_.message = {"Captured to " + capture_views(session_, painter_, by).string(), false};
     } catch (const std::exception &error) {
         session_.message = {std::string("Not captured: ") + error.what(), true};
     }

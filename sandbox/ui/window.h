@@ -7,8 +7,8 @@
 namespace sandbox {
 
 struct WindowOptions {
-    OpenedFile file; ///< what it shows first
-    /// Where the file says nothing about techniques:
+    OpenedFile file; ///< shown first
+    /// If the file names no techniques:
     Technique left{.frequency = Frequency::per_vertex, .model = Model::phong};
     Technique right{.frequency = Frequency::per_pixel, .model = Model::blinn_phong};
     Assets assets{"assets"};
@@ -16,7 +16,7 @@ struct WindowOptions {
 };
 
 /// Opens the window and returns when it is closed, with the process's exit code (0).
-/// Throws MachineError where there is no display or no OpenGL 3.3.
+/// Throws MachineError if there is no display or no OpenGL 3.3.
 int run_window(const WindowOptions &options);
 
 } // namespace sandbox

@@ -191,7 +191,8 @@ TEST(SceneErrors, MissingKeys) {
               "a.json: lights[0].direction: missing; expected an array of 3 numbers");
     EXPECT_EQ(error(R"({"lights": [{"type": "spot", "position": [0, 0, 0]}]})"),
               "a.json: lights[0].direction: missing; expected an array of 3 numbers");
-    EXPECT_EQ(error(R"({"objects": [{}]})"), "a.json: objects[0].mesh: missing; expected an object");
+    EXPECT_EQ(error(R"({"objects": [{}]})"),
+              R"(a.json: objects[0].mesh: missing; expected an object with "shape" or "obj")");
     EXPECT_EQ(error(R"({"views": [{"camera": {}}]})"), "a.json: views[0].name: missing; expected a string");
     EXPECT_EQ(error(R"({"views": [{"name": "a"}]})"), "a.json: views[0].camera: missing; expected an object");
     EXPECT_EQ(object_error("{}"), R"(mesh: expected "shape" or "obj", got {})");

@@ -7,22 +7,21 @@
 #include <string>
 #include <thread>
 
-/// Work beside the window: a thread that says how far it is, can be stopped, and brings its errors back as text.
+/// Work in the background: a thread that reports its progress, can be stopped, and returns its errors as text.
 namespace sandbox {
 
-/// How far a job is.
 struct JobProgress {
     double share = 0;  ///< [0, 1]
-    std::string doing; ///< one line: what it is at
+    std::string doing; ///< one line: what the job is doing
 };
 
 enum class JobState { running, done, failed };
-enum class News { none, progress, result }; ///< from little to much
+enum class News { none, progress, result }; ///< the more important, the greater
 
 /// The work's side of a job; usable from every thread that the work starts.
 class JobReporter {
   public:
-    /// Returns false once the job is to stop: the work then ends soon, in whatever way suits it.
+    /// False once the job has been cancelled; the work should then end soon.
     bool report(double share);
     void say(std::string doing);
 
@@ -57,10 +56,10 @@ class BackgroundJob {
 
     void cancel() { thread_.request_stop(); }
     [[nodiscard]] bool cancelled() const { return thread_.get_stop_token().stop_requested(); }
-    /// What the work wrote may be read once this is no longer `running`.
+    /// The result may be read once this is no longer `running`.
     [[nodiscard]] JobState state() const;
     [[nodiscard]] JobProgress progress() const;
-    /// Why it failed.
+    /// Why the job failed.
     [[nodiscard]] std::string error() const;
     /// What is new since the last call; `result`: it has ended.
     News take_news();

@@ -1,8 +1,11 @@
 #include "ui/jobs/drawing_job.h"
 
 #include "image/error.h"
+#include "ui/widgets/widgets.h"
 
 #include <GLFW/glfw3.h>
+#include <fmt/format.h>
+#include <imgui.h>
 #include <string>
 
 namespace sandbox {
@@ -13,8 +16,8 @@ WorkerContext::WorkerContext() {
     if (window_ == nullptr) {
         const char *reason = nullptr;
         glfwGetError(&reason);
-        throw MachineError(std::string("no second OpenGL context can be had: ") +
-                           (reason != nullptr ? reason : "no reason given"));
+        throw MachineError(
+            fmt::format("there can be no second OpenGL context: {}", reason != nullptr ? reason : "no reason given"));
     }
 }
 
@@ -24,5 +27,20 @@ WorkerContext::Current::Current(const WorkerContext &context) { glfwMakeContextC
 WorkerContext::Current::~Current() { glfwMakeContextCurrent(nullptr); }
 
 void wake_window() { glfwPostEmptyEvent(); }
+
+void job_progress_row(Session &session, BackgroundJob &job) {
+    const bool cancelled = job.cancelled();
+    ImGui::BeginDisabled(cancelled);
+    if (ImGui::Button("Cancel")) {
+        job.cancel();
+    }
+    ImGui::EndDisabled();
+    hint_for_item(session, "Stops; what has been measured so far is kept.");
+    ImGui::SameLine();
+    const JobProgress progress = job.progress();
+    const std::string text =
+        cancelled ? "stopping" : fmt::format("{:.0f} %   {}", progress.share * 100, progress.doing);
+    ImGui::ProgressBar(static_cast<float>(progress.share), {-1, 0}, text.c_str());
+}
 
 } // namespace sandbox

@@ -4,6 +4,7 @@
 #include "render/renderer.h"
 #include "scene/assets.h"
 #include "ui/jobs/background_job.h"
+#include "ui/session/session.h"
 
 #include <functional>
 #include <optional>
@@ -16,11 +17,11 @@ namespace sandbox {
 /// What jobs that draw are made with.
 struct DrawingSupplies {
     Assets assets, shaders;
-    DrawnBy by; ///< the window's OpenGL, which is the jobs' too
+    DrawnBy by; ///< the OpenGL of the window and of its jobs
 };
 
-/// An OpenGL context for one thread beside the window's: that of a hidden window, made and destroyed on the main
-/// thread. Throws MachineError where there can be no other.
+/// An OpenGL context for one more thread: that of a hidden window, made and destroyed on the main thread. Throws
+/// MachineError where there can be no second context.
 class WorkerContext {
   public:
     WorkerContext();
@@ -28,8 +29,8 @@ class WorkerContext {
     WorkerContext(const WorkerContext &) = delete;
     WorkerContext &operator=(const WorkerContext &) = delete;
 
-    /// While it lives, the calling thread draws in this context. OpenGL's functions are those that the window loaded:
-    /// the driver is the same.
+    /// While it lives, the calling thread draws in this context, with the OpenGL functions that the window loaded: the
+    /// driver is the same.
     class Current {
       public:
         explicit Current(const WorkerContext &context);
@@ -45,7 +46,10 @@ class WorkerContext {
 /// Ends the window's waiting for events; from any thread.
 void wake_window();
 
-/// Work on a thread of its own with a renderer of its own. Made, asked and destroyed on the main thread.
+/// One row in the current ImGui window: "Cancel", how far the job is, what it is doing.
+void job_progress_row(Session &session, BackgroundJob &job);
+
+/// Work on its own thread with its own renderer. All member functions are for the main thread.
 template <typename Result> class DrawingJob {
   public:
     using Work = std::function<Result(Renderer &, JobReporter &)>;

@@ -1,8 +1,6 @@
+#include "scene/orbit.h"
 #include "ui/panels/panels.h"
-#include "ui/session/edits.h"
-#include "ui/views/orbit.h"
-#include "ui/widgets/theme.h"
-#include "ui/widgets/widgets.h"
+#include "ui/widgets/property_rows.h"
 
 #include <imgui.h>
 
@@ -10,10 +8,13 @@ namespace sandbox {
 
 namespace {
 
-void view_button(Session &session, const char *name, const Camera &camera, bool first) {
-    if (!first) {
-        same_line_if_fits(ImGui::CalcTextSize(name).x + ImGui::GetStyle().FramePadding.x * 2);
-    }
+constexpr Range elevation{.low = -most_elevation_degrees,
+                          .high = most_elevation_degrees,
+                          .slider = {-most_elevation_degrees, most_elevation_degrees, "%.1f"}};
+constexpr Range distance_range{.low = 1e-6, .high = 1e9, .slider = {0.5, 50, "%.2f", true}};
+constexpr Range exposure_range{.low = 0, .high = 1e6, .slider = {0.05, 20, "%.3g", true}};
+
+void view_button(Session &session, const std::string &name, const Camera &camera) {
     if (toggle_button(name, session.document.scene.camera == camera)) {
         session.document.scene.camera = camera;
     }
@@ -21,12 +22,12 @@ void view_button(Session &session, const char *name, const Camera &camera, bool 
 }
 
 void named_views(Session &session) {
-    view_button(session, "as opened", session.document.opened->scene.camera, true);
-    int id = 0;
-    for (const View &view : session.document.scene.views) {
-        ImGui::PushID(id++);
-        view_button(session, view.name.c_str(), view.camera, false);
-        ImGui::PopID();
+    view_button(session, "as opened", session.document.opened->scene.camera);
+    for (std::size_t i = 0; i < session.document.scene.views.size(); ++i) {
+        const View view = session.document.scene.views[i];
+        const ScopedId id(i);
+        same_line_if_fits(button_width(view.name));
+        view_button(session, view.name, view.camera);
     }
 }
 
@@ -34,12 +35,14 @@ void orbit_rows(Session &session) {
     Camera &camera = session.document.scene.camera;
     const OrbitPose opened = orbit_pose(session.document.opened->scene.camera);
     OrbitPose pose = orbit_pose(camera);
-    bool changed = slider_row(session, "azimuth, degrees", pose.azimuth_degrees, opened.azimuth_degrees,
-                              ranges::angle_degrees, "Around the target; drag the picture to orbit");
-    changed |= slider_row(session, "elevation, degrees", pose.elevation_degrees, opened.elevation_degrees,
-                          ranges::elevation_degrees, "Above the target; drag the picture to orbit");
-    changed |= slider_row(session, "distance, units", pose.distance, opened.distance, ranges::distance,
-                          "From the target; the wheel over the picture comes closer or goes away");
+    bool changed = control_row(session, {"azimuth, degrees", rotation, "Around the target; drag the picture to orbit."},
+                               pose.azimuth_degrees, opened.azimuth_degrees);
+    changed |= control_row(session, {"elevation, degrees", elevation, "Above the target; drag the picture to orbit."},
+                           pose.elevation_degrees, opened.elevation_degrees);
+    changed |= control_row(session,
+                           {"distance, units", distance_range,
+                            "To the target; the wheel over the picture moves the camera closer or away."},
+                           pose.distance, opened.distance);
     if (changed) {
         camera = at_pose(camera, pose);
     }
@@ -62,17 +65,14 @@ void display_choice(Session &session) {
 } // namespace
 
 void camera_panel(Session &session) {
-    Scene &scene = session.document.scene;
-    const Scene &opened = session.document.opened->scene;
     named_views(session);
     orbit_rows(session);
-    slider_row(session, "view, degrees", scene.camera.fov_y_degrees, opened.camera.fov_y_degrees, ranges::fov_y_degrees,
-               "Vertical angle of view; narrow pictures are widened, so that their sides are not cut off");
+    property_rows(session, session.document.scene.camera, session.document.opened->scene.camera);
     heading("Display");
-    slider_row(session, "exposure", session.document.exposure, 1, ranges::exposure,
-               "Multiplies the picture before it is shown; measurements never see it");
+    control_row(session,
+                {"exposure", exposure_range, "Multiplies the picture before it is shown; measurements never see it."},
+                session.document.exposure, 1);
     display_choice(session);
-    color_row(session, "background", scene.background, opened.background, "Where there is no object");
 }
 
 } // namespace sandbox

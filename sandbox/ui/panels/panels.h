@@ -12,7 +12,10 @@ void material_panel(Session &session);
 void mesh_panel(Session &session);
 void camera_panel(Session &session);
 
-/// All of them below each other, in the current ImGui window.
+/// All sections, in the current ImGui window.
 void side_panel(Session &session);
+
+/// The choice of the object that Material and Mesh show, if there are several; false if there is none.
+bool object_choice(Session &session);
 
 } // namespace sandbox

@@ -1,28 +1,29 @@
 #include "ui/panels/panels.h"
 
+#include "ui/widgets/widgets.h"
+
+#include <algorithm>
+#include <fmt/format.h>
 #include <imgui.h>
 #include <string>
+#include <vector>
 
 namespace sandbox {
 
 namespace {
 
-int faults_on(const Technique &technique) {
-    int count = 0;
-    for (const TechniqueKey &key : technique_keys()) {
-        count += key.is_fault() && key.get(technique) != 0 ? 1 : 0;
-    }
-    return count;
-}
-
 std::string faults_title(const Session &session) {
-    const int a = faults_on(session.document.left);
-    const int b = faults_on(session.document.right);
-    return a + b == 0 ? "Faults" : "Faults (A " + std::to_string(a) + ", B " + std::to_string(b) + ")";
+    const auto faults_of = [](const Technique &technique) {
+        return std::ranges::count_if(
+            technique_keys(), [&](const TechniqueKey &key) { return key.is_fault() && key.get(technique) != 0; });
+    };
+    const auto a = faults_of(session.document.left);
+    const auto b = faults_of(session.document.right);
+    return a + b == 0 ? "Faults" : fmt::format("Faults (A {}, B {})", a, b);
 }
 
 std::string lights_title(const Session &session) {
-    return "Lights (" + std::to_string(session.document.scene.lights.size()) + ")";
+    return fmt::format("Lights ({})", session.document.scene.lights.size());
 }
 
 struct Panel {
@@ -44,16 +45,31 @@ constexpr Panel panels[] = {
 
 void side_panel(Session &session) {
     for (const Panel &panel : panels) {
-        const int id = static_cast<int>(&panel - panels);
-        ImGui::PushID(id);
+        const ScopedId id(static_cast<std::size_t>(&panel - panels));
         const std::string title = panel.title(session) + "###panel"; // what stands before ### may change
-        const ImGuiTreeNodeFlags flags = panel.open ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None;
-        if (ImGui::CollapsingHeader(title.c_str(), flags)) {
+        if (ImGui::CollapsingHeader(title.c_str(), panel.open ? ImGuiTreeNodeFlags_DefaultOpen : 0)) {
             panel.draw(session);
             ImGui::Spacing();
         }
-        ImGui::PopID();
     }
+}
+
+bool object_choice(Session &session) {
+    const std::vector<Object> &objects = session.document.scene.objects;
+    if (objects.empty()) {
+        ImGui::TextUnformatted("This scene has no object.");
+        return false;
+    }
+    if (objects.size() > 1) {
+        std::vector<std::string> names;
+        for (const Object &object : objects) {
+            const std::size_t number = names.size() + 1;
+            names.push_back(object.name.empty() ? fmt::format("object {}", number)
+                                                : fmt::format("{}  {}", number, object.name));
+        }
+        choice_row(session, "object", names, session.object, "The object that the rows below belong to.");
+    }
+    return true;
 }
 
 } // namespace sandbox

@@ -4,8 +4,8 @@
 #include "image/error.h"
 
 #include <cctype>
-#include <cstdio>
 #include <cstdlib>
+#include <fmt/format.h>
 #include <system_error>
 #include <unistd.h>
 #include <vector>
@@ -15,20 +15,6 @@ namespace sandbox {
 namespace {
 
 namespace fs = std::filesystem;
-
-Layout layout_of(ViewMode mode) {
-    switch (mode) {
-    case ViewMode::side_by_side:
-        return Layout::side_by_side;
-    case ViewMode::wipe:
-        return Layout::wipe;
-    case ViewMode::difference:
-        return Layout::difference;
-    case ViewMode::flip:
-        break;
-    }
-    return Layout::single;
-}
 
 /// Scene names may be anything; file names hold letters, digits, dots and dashes.
 std::string file_stem(const std::string &name) {
@@ -42,9 +28,7 @@ std::string file_stem(const std::string &name) {
 
 /// scene-007.png
 std::string numbered(const std::string &name, int number, const char *ending) {
-    char counter[16];
-    std::snprintf(counter, sizeof counter, "-%03d", number);
-    return file_stem(name) + counter + ending;
+    return fmt::format("{}-{:03}{}", file_stem(name), number, ending);
 }
 
 } // namespace
@@ -52,7 +36,7 @@ std::string numbered(const std::string &name, int number, const char *ending) {
 PictureOptions picture_options(const Session &session, Size each) {
     const Document &document = session.document;
     PictureOptions options;
-    options.layout = layout_of(session.view.mode);
+    options.layout = session.view.layout;
     const bool single_right = options.layout == Layout::single && session.view.show_right;
     options.left = single_right ? document.right : document.left;
     options.right = document.right;

@@ -8,10 +8,10 @@
 
 namespace sandbox {
 
-/// What the views show now, as a picture file would hold it; `each` is the size of one view.
+/// The options of a capture that shows what the views show now; `each` is the size of one view.
 PictureOptions picture_options(const Session &session, Size each);
 
-/// `name`-001.png, or the first number that is free in `folder`: nothing is ever overwritten.
+/// `name`-001.png, or the first number that is free in `folder`: a capture never overwrites a file.
 std::filesystem::path free_name(const std::filesystem::path &folder, const std::string &name);
 
 /// Makes `name`-001 in `folder`, or the first number that is free. Throws InputError.

@@ -10,13 +10,13 @@
 
 namespace sandbox {
 
-/// The scene as it was opened: what "reset" goes back to.
+/// The scene as it was opened: resets restore it.
 struct OpenedScene {
-    std::string name; ///< as it is shown and as captures are named: "three-point-lights"
+    std::string name; ///< in the title and in the names of captures: "three-point-lights"
     Scene scene;
 };
 
-/// All that an edit can change and undo brings back.
+/// All that edits change and undo restores.
 struct Document {
     Scene scene;
     Technique left, right;
@@ -24,17 +24,17 @@ struct Document {
     std::optional<Technique> textbook;
     double exposure = 1; ///< multiplies before the display transfer curve
     Display display = Display::linear;
-    /// Narrower views see as much from left to right as a picture of this aspect; 0: just the scene's angle of view.
+    /// Minimum aspect: narrower views widen the field of view; 0 disables.
     double least_aspect = 1.2;
     std::shared_ptr<const OpenedScene> opened;
     bool operator==(const Document &) const = default;
     [[nodiscard]] bool left_is_textbook() const { return textbook == left; }
 };
 
-/// A document as a scene is first seen.
+/// A document that has just been opened.
 Document document_of(std::string name, const Scene &scene, const Technique &left, const Technique &right);
 
-/// The scene as a view of this size shows it: its angle of view widened where the view is narrow.
+/// The scene as a view of this size shows it: narrow views widen the field of view.
 Scene scene_in_view(const Document &document, Size view);
 
 } // namespace sandbox

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <utility>
 
 namespace sandbox {
 
@@ -78,6 +79,18 @@ void keep_attenuation_valid(Attenuation &attenuation) {
     if (attenuation.constant == 0 && attenuation.linear == 0 && attenuation.quadratic == 0) {
         attenuation.constant = 0.001;
     }
+}
+
+void keep_valid(Light &light, const Light &before) {
+    if (light.direction == glm::dvec3(0)) {
+        light.direction = before.direction;
+    }
+    if (const double cutoff = std::exchange(light.cutoff_degrees, before.cutoff_degrees);
+        cutoff != before.cutoff_degrees) {
+        set_cutoff(light, cutoff);
+    }
+    light.inner_cutoff_degrees = std::min(light.inner_cutoff_degrees, light.cutoff_degrees);
+    keep_attenuation_valid(light.attenuation);
 }
 
 void set_key(Technique &technique, const TechniqueKey &key, int value) {

@@ -11,14 +11,14 @@ class History {
   public:
     explicit History(Document first) : steps_{std::move(first)} {}
 
-    /// One step more; what was undone is forgotten. Nothing if `now` is the current step. Camera moves that follow each
-    /// other make one step, so that undo after much looking around brings the edit back, not the last nudge.
+    /// Adds a step and forgets undone ones; does nothing if `now` is the current step. Successive camera moves are one
+    /// step, so that undo after looking around reverts the last edit, not the last nudge.
     void record(const Document &now);
 
     [[nodiscard]] const Document &current() const { return steps_[at_]; }
     [[nodiscard]] bool can_undo() const { return at_ > 0; }
     [[nodiscard]] bool can_redo() const { return at_ + 1 < steps_.size(); }
-    /// The document to go on with; the current one where there is nothing to undo or redo.
+    /// The new current document; unchanged if there is nothing to undo or redo.
     const Document &undo();
     const Document &redo();
 

@@ -11,20 +11,6 @@ namespace sandbox {
 
 namespace {
 
-std::optional<ViewMode> mode_of(Layout layout) {
-    switch (layout) {
-    case Layout::side_by_side:
-        return ViewMode::side_by_side;
-    case Layout::wipe:
-        return ViewMode::wipe;
-    case Layout::difference:
-        return ViewMode::difference;
-    case Layout::single:
-        break;
-    }
-    return std::nullopt;
-}
-
 bool is_builtin(const std::string &name, const Assets &assets) {
     const auto names = builtin_scenes(assets);
     return std::ranges::find(names, name) != names.end();
@@ -36,10 +22,10 @@ void take_sidecar(OpenedFile &file, const PictureOptions &options) {
     file.textbook_left = options.textbook_left;
     if (options.layout != Layout::single) {
         file.right = options.right;
+        file.layout = options.layout;
     }
     file.display = options.display;
     file.exposure = options.exposure;
-    file.mode = mode_of(options.layout);
     if (options.layout == Layout::wipe) {
         file.divider = options.divider;
     }
@@ -69,12 +55,12 @@ Document document_from(const OpenedFile &file, const Session &session) {
     }
     document.display = file.display.value_or(now.display);
     document.exposure = file.exposure.value_or(now.exposure);
-    document.least_aspect = file.capture ? 0 : document.least_aspect; // its camera is what the picture was taken with
+    document.least_aspect = file.capture ? 0 : document.least_aspect; // its field of view has been widened already
     return document;
 }
 
 void take_view(ViewSettings &view, const OpenedFile &file) {
-    view.mode = file.mode.value_or(view.mode);
+    view.layout = file.layout.value_or(view.layout);
     view.divider = static_cast<float>(file.divider.value_or(static_cast<double>(view.divider)));
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "capture/layout.h"
 #include "scene/assets.h"
 #include "ui/session/session.h"
 
@@ -8,25 +9,25 @@
 
 namespace sandbox {
 
-/// What a built-in name, a scene file, a model or a capture's sidecar brings into the window.
+/// What the window takes from a built-in name, a scene file, a model or a capture's sidecar.
 struct OpenedFile {
-    std::string name; ///< as shown and as captures are named
+    std::string name; ///< in the title and in the names of captures
     Scene scene;
-    bool capture = false; ///< a sidecar: what follows is there
+    bool capture = false; ///< a sidecar, which also sets what follows
     std::optional<Technique> left, right;
     bool textbook_left = false;
     std::optional<Display> display;
     std::optional<double> exposure;
-    std::optional<ViewMode> mode;
+    std::optional<Layout> layout;
     std::optional<double> divider; ///< of a wipe
 };
 
 /// Throws InputError.
 OpenedFile open_file(const std::string &name_or_path, const Assets &assets);
 
-/// The document to show; what the file does not say stays as it is in `session`.
+/// The document to show; what the file does not set stays as it is in `session`.
 Document document_from(const OpenedFile &file, const Session &session);
-/// The same for how the two pictures are shown.
+/// Likewise for how the two pictures are shown.
 void take_view(ViewSettings &view, const OpenedFile &file);
 
 } // namespace sandbox

@@ -31,7 +31,7 @@ void show_document(Session &session, const Document &document) {
     keep_object_valid(session);
 }
 
-void toggle_tab(Session &session, BottomTab tab) {
+void toggle_tab(Session &session, std::size_t tab) {
     Appearance &look = session.appearance;
     const bool shown = look.panels && look.tab == tab;
     look.tab = shown ? std::nullopt : std::optional(tab);

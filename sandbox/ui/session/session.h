@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene/assets.h"
+#include "capture/layout.h"
 #include "ui/session/document.h"
 #include "ui/session/history.h"
 
@@ -11,18 +11,14 @@
 
 namespace sandbox {
 
-enum class ViewMode { side_by_side, wipe, flip, difference };
-
-/// How the two pictures are shown. Not part of the document: looking is no edit.
+/// How the two pictures are shown. Not part of the document: undo leaves it alone.
 struct ViewSettings {
-    ViewMode mode = ViewMode::side_by_side;
-    float divider = 0.5F;    ///< wipe: A's share of the width
-    bool show_right = false; ///< flip: B while Space is held
-    double gain = 4;         ///< difference
+    Layout layout = Layout::side_by_side; ///< single: A, or B while Space is held ("flip")
+    float divider = 0.5F;                 ///< wipe: A's share of the width
+    bool show_right = false;              ///< single: B
+    double gain = 4;                      ///< difference
     bool wireframe = false;
 };
-
-enum class BottomTab { error_time, glsl, stability };
 
 struct Appearance {
     bool dark = true;
@@ -30,23 +26,23 @@ struct Appearance {
     bool panels = true;
     bool full_screen = false;
     bool key_list = false;
-    std::optional<BottomTab> tab; ///< of the bottom panel; none: it is folded
-    float bottom_share = 0;       ///< of the height of pictures and bottom panel, while it is open; 0: not chosen yet
+    std::optional<std::size_t> tab; ///< which of bottom_tabs is open; none: the panel is folded
+    float bottom_share = 0;         ///< of the height of pictures and bottom panel, while it is open; 0: not chosen yet
 };
 
-/// What the status line says until the next one.
+/// The status line shows it until the next one.
 struct Message {
     std::string text;
     bool error = false;
 };
 
-/// What the status line remembers: its last message, and the hint that it came over. Until the mouse moves on to
-/// something else the message goes first.
+/// A new message hides the hint that was shown when it came, until the mouse moves on to another hint.
 struct StatusLine {
-    std::string message, over;
+    std::string message; ///< the last one
+    std::string hidden_hint;
 };
 
-/// What the panels ask of the window; answered once the frame is done.
+/// What the panels ask of the window, which answers after the frame.
 struct Requests {
     bool quit = false;
     bool capture = false;
@@ -63,28 +59,27 @@ struct Session {
     Message message;
     StatusLine status;
     std::string hint;                   ///< about what the mouse is over; empty: nothing
-    bool view_dragged = false;          ///< the camera or the divider is being dragged
-    std::size_t object = 0;             ///< the one that Material and Mesh show
+    std::size_t object = 0;             ///< whose material and mesh the panels show
     std::vector<std::size_t> triangles; ///< of each object, as last drawn
     std::vector<std::string> scenes;    ///< built-in ones, in the order they are taught
     std::vector<std::string> textures;  ///< built-in ones
 
     explicit Session(Document first) : document(first), history(std::move(first)) {}
 
-    /// The object of the Material and Mesh panels; only where the scene has any.
+    /// The object of the Material and Mesh panels; the scene must have one.
     [[nodiscard]] Object &shown_object() { return document.scene.objects[object]; }
-    /// The same object as opened; the shown one where it was not there.
+    /// That object as opened; as it is now if it was not there.
     [[nodiscard]] const Object &opened_object() const;
-    /// The light as opened; a default one where it was not there.
+    /// A light as opened; a default one if it was not there.
     [[nodiscard]] const Light &opened_light(std::size_t light) const;
     [[nodiscard]] const Technique &technique(bool right) const { return right ? document.right : document.left; }
     [[nodiscard]] Technique &technique(bool right) { return right ? document.right : document.left; }
 };
 
-/// Goes on with another document, as one step that can be undone.
+/// Replaces the document, as one step that can be undone.
 void show_document(Session &session, const Document &document);
-/// Opens the bottom panel at `tab`; folds it where that is what it shows.
-void toggle_tab(Session &session, BottomTab tab);
+/// Opens the bottom panel at `tab`; folds it if that tab is open.
+void toggle_tab(Session &session, std::size_t tab);
 void undo(Session &session);
 void redo(Session &session);
 

@@ -1,44 +1,30 @@
 #pragma once
 
-#include "scene/scene.h"
+#include "scene/scene_format.h"
 #include "shading/technique.h"
 
-#include <cstddef>
-
-/// Which numbers of a scene can change the picture under either of two techniques: a slider for each of these and for
-/// no other. What counts is what the equation reads, not the value: a term that stands at 0 keeps its slider.
+/// What can change the picture of a scene under either of two techniques: only these properties get a control. A term
+/// at 0 keeps its slider: what counts is that the equation reads it.
 namespace sandbox {
 
-struct LightControls {
-    bool intensities = false; ///< colour, ambient, diffuse: all that a light which is on has
-    bool specular = false;
-    bool position = false;
-    bool direction = false;
-    bool attenuation = false;
-    bool attenuate_ambient = false;
-    bool cone = false;       ///< the switch between a cone and none
-    bool cone_shape = false; ///< cutoff, inner cutoff, exponent
-    bool operator==(const LightControls &) const = default;
+/// The parts of the equation that a scene's lights and the two techniques evaluate.
+struct Terms {
+    bool light = false;
+    bool highlight = false;
+    bool blinn_highlight = false;
+    [[nodiscard]] bool have(Term term) const;
 };
+Terms terms_of(const Scene &scene, const Technique &left, const Technique &right);
 
-struct MaterialControls {
-    bool diffuse = false; ///< ambient and emission are always usable
-    bool specular = false;
-    bool shininess = false;
-    bool modulates_specular = false; ///< "texture colours the highlight": needs a texture or a chequer
-    bool checker = false;            ///< its cells and colours
-    bool operator==(const MaterialControls &) const = default;
-};
-
-struct SceneControls {
-    bool blinn_exponent_scale = false;
-    bool operator==(const SceneControls &) const = default;
-};
-
-LightControls light_controls(const Light &light, const Technique &left, const Technique &right);
-MaterialControls material_controls(const Scene &scene, std::size_t object, const Technique &left,
-                                   const Technique &right);
-SceneControls scene_controls(const Scene &scene, const Technique &left, const Technique &right);
+/// Does anything read this property? A light that is off counts as absent.
+template <class T, class M> bool is_usable(const Field<T, M> &field, const T &value, const Terms &terms) {
+    if constexpr (std::is_same_v<T, Light>) {
+        if (!value.enabled) {
+            return false;
+        }
+    }
+    return field.rules.used(value) && terms.have(field.rules.term);
+}
 
 /// What one value of a technique key is good for, under the other keys of a technique.
 enum class ValueUse {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <imgui.h>
 
 namespace sandbox {
@@ -13,7 +14,7 @@ namespace {
 
 constexpr float least_share = 0.2F, most_share = 0.85F;
 
-/// A half, more where that is little; never so much that the pictures are lost.
+/// Half of the height, or more if that is little, but never all.
 float first_share(float room) { return std::clamp(ImGui::GetFontSize() * 19 / room, 0.5F, 0.68F); }
 
 float edge_height() { return std::max(4.0F, std::floor(ImGui::GetFontSize() * 0.3F)); }
@@ -33,18 +34,26 @@ void draggable_edge(Session &session, float room) {
         ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + size.x, low.y + size.y},
                                                   ImGui::GetColorU32(ImGuiCol_SliderGrab));
     }
-    hint_for_item(session, "Drag: more or less room for the pictures.");
+    hint_for_item(session, "Drag to give the pictures more or less room.");
+}
+
+void draw_titles(Session &session) {
+    for (std::size_t tab = 0; tab < std::size(bottom_tabs); ++tab) {
+        const BottomTab &row = bottom_tabs[tab];
+        const bool open = session.appearance.tab == tab;
+        if (toggle_button(row.title, open)) {
+            toggle_tab(session, tab);
+        }
+        hint_for_item(session, fmt::format("{} ({}).{}", row.hint, row.key, open ? "  Click again to fold it." : ""));
+        ImGui::SameLine(0, 2);
+    }
+    ImGui::NewLine();
 }
 
 } // namespace
 
 BottomPanel::BottomPanel(const DrawingSupplies &supplies) {
-    tabs_.push_back({BottomTab::error_time, "Error vs run time",
-                     "How far every technique is from the truth, and how long it takes (E).",
-                     error_time_tab(supplies)});
-    tabs_.push_back({BottomTab::glsl, "GLSL", "The programs of A and B beside each other (G).", glsl_tab(supplies)});
-    tabs_.push_back({BottomTab::stability, "Stability",
-                     "Stiff and extreme scenes, in which a textbook's formulas break (S).", stability_tab(supplies)});
+    std::ranges::transform(bottom_tabs, contents_.begin(), [&](const BottomTab &row) { return row.make(supplies); });
 }
 
 float BottomPanel::height(const Session &session, float room) {
@@ -54,42 +63,28 @@ float BottomPanel::height(const Session &session, float room) {
     return session.appearance.tab ? std::max(std::floor(room * share), tabs) : tabs;
 }
 
-void BottomPanel::draw_tabs(Session &session) const {
-    for (const Tab &tab : tabs_) {
-        const bool open = session.appearance.tab == tab.tab;
-        if (toggle_button(tab.title, open)) {
-            toggle_tab(session, tab.tab);
-        }
-        hint_for_item(session, std::string(tab.hint) + (open ? "  Again: folds the panel." : ""));
-        ImGui::SameLine(0, 2);
-    }
-    ImGui::NewLine();
-}
-
-void BottomPanel::draw(Session &session, ViewPainter &painter, const Fonts &fonts, float room) {
+void BottomPanel::draw(Session &session, ViewPainter &painter, float room) {
     const ImGuiStyle &style = ImGui::GetStyle();
     if (session.appearance.tab) {
         ImGui::SetCursorPos({0, 0});
         draggable_edge(session, room);
     }
     ImGui::SetCursorPos({style.WindowPadding.x, style.ItemSpacing.y + (session.appearance.tab ? edge_height() : 0)});
-    draw_tabs(session);
-    for (const Tab &tab : tabs_) {
-        if (session.appearance.tab == tab.tab) {
-            ImGui::SetCursorPosX(style.WindowPadding.x);
-            if (ImGui::BeginChild(tab.title,
-                                  {ImGui::GetContentRegionAvail().x - style.WindowPadding.x, -style.ItemSpacing.y})) {
-                tab.content->draw(session, painter, fonts);
-            }
-            ImGui::EndChild();
+    draw_titles(session);
+    if (const auto tab = session.appearance.tab) {
+        ImGui::SetCursorPosX(style.WindowPadding.x);
+        const ImVec2 size{ImGui::GetContentRegionAvail().x - style.WindowPadding.x, -style.ItemSpacing.y};
+        if (ImGui::BeginChild(bottom_tabs[*tab].title, size)) {
+            contents_[*tab]->draw(session, painter);
         }
+        ImGui::EndChild();
     }
 }
 
 News BottomPanel::take_news(Session &session) {
     News news = News::none;
-    for (const Tab &tab : tabs_) {
-        news = std::max(news, tab.content->take_news(session));
+    for (const auto &content : contents_) {
+        news = std::max(news, content->take_news(session));
     }
     return news;
 }

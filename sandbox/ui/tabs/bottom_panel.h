@@ -1,32 +1,25 @@
 #pragma once
 
-#include "ui/tabs/tab_content.h"
+#include "ui/tabs/bottom_tabs.h"
 
-#include <vector>
+#include <array>
 
 namespace sandbox {
 
-/// Below the pictures: a line of tabs, and the one that is open. Its upper edge can be dragged.
+/// Below the pictures: the titles of all tabs and the open one. Its upper edge can be dragged.
 class BottomPanel {
   public:
     explicit BottomPanel(const DrawingSupplies &supplies);
 
-    /// Of `room`, the height of pictures and panel together.
+    /// `room`: the height of pictures and panel together.
     [[nodiscard]] static float height(const Session &session, float room);
-    /// In the current ImGui window, which has that height.
-    void draw(Session &session, ViewPainter &painter, const Fonts &fonts, float room);
-    /// The greatest of all tabs, shown or not.
+    /// Fills the current ImGui window.
+    void draw(Session &session, ViewPainter &painter, float room);
+    /// The most important news of any tab, shown or not.
     News take_news(Session &session);
 
   private:
-    struct Tab {
-        BottomTab tab;
-        const char *title, *hint;
-        std::unique_ptr<TabContent> content;
-    };
-    void draw_tabs(Session &session) const;
-
-    std::vector<Tab> tabs_;
+    std::array<std::unique_ptr<TabContent>, std::size(bottom_tabs)> contents_;
 };
 
 } // namespace sandbox

@@ -1,6 +1,5 @@
-#include "ui/tabs/tab_content.h"
+#include "ui/tabs/bottom_tabs.h"
 
-#include "ui/jobs/job_progress.h"
 #include "ui/jobs/measured_rows.h"
 #include "ui/jobs/report_job.h"
 #include "ui/session/exported_files.h"
@@ -19,7 +18,7 @@ namespace {
 class ErrorTimeTab final : public TabContent {
   public:
     explicit ErrorTimeTab(const DrawingSupplies &supplies) : supplies_(supplies) {}
-    void draw(Session &session, ViewPainter &painter, const Fonts &fonts) override;
+    void draw(Session &session, ViewPainter &painter) override;
     News take_news(Session &session) override;
 
   private:
@@ -149,7 +148,7 @@ void ErrorTimeTab::findings(Session &session) {
     ImGui::EndGroup();
 }
 
-void ErrorTimeTab::draw(Session &session, ViewPainter &, const Fonts &) {
+void ErrorTimeTab::draw(Session &session, ViewPainter &) {
     if (job_) {
         job_progress_row(session, job_->job());
     } else {

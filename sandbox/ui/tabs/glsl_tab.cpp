@@ -1,13 +1,15 @@
-#include "ui/tabs/tab_content.h"
+#include "ui/tabs/bottom_tabs.h"
 
 #include "shading/program_source.h"
 #include "ui/tabs/line_diff.h"
+#include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 #include <algorithm>
 #include <array>
 #include <exception>
+#include <fmt/format.h>
 #include <imgui.h>
 #include <string>
 #include <vector>
@@ -25,7 +27,7 @@ struct Listing {
 std::vector<std::string> origin_names(const StageSource &stage) {
     std::vector<std::string> names;
     for (const LineOrigin &origin : stage.origins) {
-        names.push_back(origin.part + ":" + std::to_string(origin.line));
+        names.push_back(fmt::format("{}:{}", origin.part, origin.line));
     }
     return names;
 }
@@ -56,16 +58,15 @@ void draw_line(Session &session, const Listing &own, const Listing &other, std::
     ImGui::TextUnformatted(text.c_str());
     if (line < own.origins[stage].size()) {
         const std::string where = own.origins[stage][line];
-        hint_for_item(session, moved ? where + "; the other side has this line in its other stage" : where);
+        hint_for_item(session, moved ? where + "; the other side has this line in its other stage." : where);
     }
 }
 
-void draw_listing(Session &session, const Listing &own, const Listing &other, std::size_t stage, bool right,
-                  const Fonts &fonts) {
+void draw_listing(Session &session, const Listing &own, const Listing &other, std::size_t stage, bool right) {
     const std::vector<bool> missing = lines_missing(own.lines[stage], other.lines[stage]);
     const float below = ImGui::GetStyle().CellPadding.y + 1;
     ImGui::BeginChild(right ? "B" : "A", {0, -below}, true, ImGuiWindowFlags_HorizontalScrollbar);
-    ImGui::PushFont(fonts.code);
+    ImGui::PushFont(code_font());
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {4, 0});
     ImGuiListClipper clipper;
     clipper.Begin(static_cast<int>(own.lines[stage].size()));
@@ -99,7 +100,8 @@ std::size_t stage_choice() {
 void column_title(Session &session, const Listing &listing, std::size_t stage, bool right) {
     ImGui::TextColored(side_color(right), "%s   %zu lines", right ? "B" : "A", listing.lines[stage].size());
     if (!right && session.document.left_is_textbook()) {
-        hint_for_item(session, "A is drawn on the processor, as a textbook has it; this is its technique's program.");
+        hint_for_item(session,
+                      "A is drawn on the processor in a textbook's float32; this is the program of its technique.");
         ImGui::SameLine();
         ImGui::TextColored(error_text(), "not what A shows");
     }
@@ -112,18 +114,18 @@ void column_title(Session &session, const Listing &listing, std::size_t stage, b
     ImGui::PopID();
 }
 
-/// The programs of A and B for the shown object, beside each other. Lines that the other side lacks are marked in the
-/// side's colour, lines that stand in its other stage ("moved") with an arrow.
+/// The programs of A and B for the shown object, beside each other. A line that the other side lacks has the side's
+/// colour; a line that the other side has in its other stage ("moved") has an arrow.
 class GlslTab final : public TabContent {
   public:
-    void draw(Session &session, ViewPainter &painter, const Fonts &fonts) override;
+    void draw(Session &session, ViewPainter &painter) override;
 };
 
 } // namespace
 
 std::unique_ptr<TabContent> glsl_tab(const DrawingSupplies &) { return std::make_unique<GlslTab>(); }
 
-void GlslTab::draw(Session &session, ViewPainter &painter, const Fonts &fonts) {
+void GlslTab::draw(Session &session, ViewPainter &painter) {
     const auto &objects = session.document.scene.objects;
     if (objects.empty()) {
         ImGui::TextUnformatted("This scene has no object.");
@@ -142,7 +144,7 @@ void GlslTab::draw(Session &session, ViewPainter &painter, const Fonts &fonts) {
             for (const bool right : {false, true}) {
                 ImGui::TableNextColumn();
                 column_title(session, listings[right ? 1 : 0], stage, right);
-                draw_listing(session, listings[right ? 1 : 0], listings[right ? 0 : 1], stage, right, fonts);
+                draw_listing(session, listings[right ? 1 : 0], listings[right ? 0 : 1], stage, right);
             }
             ImGui::EndTable();
         }

@@ -8,11 +8,10 @@ namespace sandbox {
 
 std::vector<std::string> split_lines(std::string_view text);
 
-/// For each line of `left`: is it missing from `right`? By the longest common subsequence; indentation does not count.
+/// Which lines of `left` are missing from `right`, by the longest common subsequence; ignores indentation.
 std::vector<bool> lines_missing(const std::vector<std::string> &left, const std::vector<std::string> &right);
 
-/// True if `line` stands somewhere in `lines`, apart from indentation; never for blank lines and lone braces, which
-/// stand everywhere.
+/// True if `lines` has `line`, apart from indentation; false for blank lines and lone braces, which are everywhere.
 bool holds_line(const std::vector<std::string> &lines, std::string_view line);
 
 } // namespace sandbox

@@ -31,8 +31,8 @@ class Canvas {
     /// `anchor`: the share of the text that lies left of x.
     void text(double x, double y, float anchor, ImVec4 color, const std::string &words) const {
         const float width = ImGui::CalcTextSize(words.c_str()).x;
-        const ImVec2 place = at(x, y);
-        list_.AddText({std::floor(place.x - width * anchor), std::floor(place.y)}, ImGui::GetColorU32(color),
+        const ImVec2 position = at(x, y);
+        list_.AddText({std::floor(position.x - width * anchor), std::floor(position.y)}, ImGui::GetColorU32(color),
                       words.c_str());
     }
     [[nodiscard]] const PlotLayout &layout() const { return layout_; }
@@ -44,11 +44,13 @@ class Canvas {
     ImDrawList &list_ = *ImGui::GetWindowDrawList();
 };
 
-/// The places that numbers have taken along an axis.
-class Taken {
+/// The spans of an axis that have a label.
+class LabelledSpans {
   public:
-    explicit Taken(double gap) : gap_(gap) {}
-    bool take(double low, double high) {
+    /// `gap`: the least distance between two labels.
+    explicit LabelledSpans(double gap) : gap_(gap) {}
+    /// False if the span is not free.
+    bool claim(double low, double high) {
         const bool free = std::ranges::none_of(
             spans_, [&](const auto &span) { return low < span.second + gap_ && high > span.first - gap_; });
         if (free) {
@@ -67,11 +69,11 @@ bool is_decade(const std::string &label) {
     return digit != std::string::npos && label[digit] == '1';
 }
 
-/// The ticks with labels; whole decades first, for they stay where there is no room for all.
+/// The ticks with labels, whole decades first: those are kept where there is no room for all.
 std::vector<PlotTick> labelled(const std::vector<PlotTick> &ticks) {
     std::vector<PlotTick> kept;
     std::ranges::copy_if(ticks, std::back_inserter(kept), [](const PlotTick &tick) { return !tick.label.empty(); });
-    // not of std::ranges: Clang 14 cannot compile the subrange that it returns
+    // not std::ranges::stable_partition: Clang 14 cannot compile the subrange it returns
     std::stable_partition(kept.begin(), kept.end(), [](const PlotTick &tick) { return is_decade(tick.label); });
     return kept;
 }
@@ -85,15 +87,15 @@ void draw_axes(const Canvas &canvas, const PlotRequest &request) {
     for (const PlotTick &tick : l.y_ticks) {
         canvas.line(l.left, tick.at, l.right, tick.at, grid_color(!tick.label.empty()));
     }
-    Taken columns(half), lines(0);
+    LabelledSpans columns(half), lines(0);
     for (const PlotTick &tick : labelled(l.x_ticks)) {
         const double width = static_cast<double>(ImGui::CalcTextSize(tick.label.c_str()).x);
-        if (columns.take(tick.at - width / 2, tick.at + width / 2)) {
+        if (columns.claim(tick.at - width / 2, tick.at + width / 2)) {
             canvas.text(tick.at, l.bottom + 2, 0.5F, quiet_text(), tick.label);
         }
     }
     for (const PlotTick &tick : labelled(l.y_ticks)) {
-        if (lines.take(tick.at - half, tick.at + half)) {
+        if (lines.claim(tick.at - half, tick.at + half)) {
             canvas.text(l.left - half / 2, tick.at - half, 1, quiet_text(), tick.label);
         }
     }
@@ -112,7 +114,7 @@ void draw_guides(const Canvas &canvas) {
     }
 }
 
-/// On the left, where few points are; beside each other where they lie too close.
+/// On the left, where few points are; two that are too close stand beside each other.
 void draw_guide_labels(const Canvas &canvas) {
     const PlotLayout &l = canvas.layout();
     std::vector<PlacedGuide> guides = l.guides;

@@ -5,19 +5,19 @@
 #include <imgui.h>
 #include <optional>
 
-/// Plots of lay_out() with ImGui's draw list. Positions in a layout count from `corner`.
+/// Draws plots that lay_out() has laid out, with ImGui's draw list. A layout's positions are relative to `corner`.
 namespace sandbox {
 
-/// The room that labels and numbers need, at the present text size.
+/// Leaves room for labels and numbers at the present text size.
 void set_margins(PlotRequest &request);
 
 /// Axes, guides, front and series; the point of the tag `hovered` is larger.
 void draw_plot(const PlotRequest &request, const PlotLayout &layout, ImVec2 corner, std::optional<std::size_t> hovered);
 
-/// A ring with A's or B's letter around the point of a tag, if the plot has it.
+/// A ring with the letter A or B around the point with this tag, if the plot has one.
 void draw_ring(const PlotLayout &layout, ImVec2 corner, std::size_t tag, bool right);
 
-/// Series differ by the marker's form as well as by its colour.
+/// Each series has its own marker, so that colour is not all that tells them apart.
 void draw_marker(ImDrawList &list, ImVec2 at, float radius, int style, ImU32 color);
 
 } // namespace sandbox

@@ -1,8 +1,7 @@
-#include "ui/tabs/tab_content.h"
+#include "ui/tabs/bottom_tabs.h"
 
 #include "measure/report/report.h"
 #include "reference/reference.h"
-#include "ui/jobs/job_progress.h"
 #include "ui/jobs/stability_job.h"
 #include "ui/session/exported_files.h"
 #include "ui/tabs/stability_details.h"
@@ -23,7 +22,7 @@ class StabilityTab final : public TabContent {
   public:
     explicit StabilityTab(const DrawingSupplies &supplies)
         : supplies_(supplies), cases_(list_cases(stability_cases())), groups_(groups_of(cases_)) {}
-    void draw(Session &session, ViewPainter &painter, const Fonts &fonts) override;
+    void draw(Session &session, ViewPainter &painter) override;
     News take_news(Session &session) override;
 
   private:
@@ -212,7 +211,7 @@ void StabilityTab::story(ImVec2 size) {
     ImGui::EndChild();
 }
 
-void StabilityTab::draw(Session &session, ViewPainter &painter, const Fonts &) {
+void StabilityTab::draw(Session &session, ViewPainter &painter) {
     if (job_) {
         job_progress_row(session, job_->job());
     } else {

@@ -6,12 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <fmt/format.h>
 #include <string>
 
 namespace sandbox {
 
 namespace {
+
+constexpr Range gain_range{.low = 0.1, .high = 1e9, .slider = {1, 1000, "%.4g", true}};
 
 ImU32 packed(const glm::vec3 &color) { return ImGui::GetColorU32(ImVec4(color.r, color.g, color.b, 1)); }
 
@@ -34,18 +36,12 @@ void centred_text(float x, float y, const std::string &text) {
     ImGui::GetWindowDrawList()->AddText({x - width / 2, y}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
 }
 
-std::string number_text(double value, bool sign) {
-    char text[32];
-    std::snprintf(text, sizeof text, sign ? "%+.3g" : "%.3g", value);
-    return text;
-}
-
-/// The bar with five numbers below it and, where there is room, what its ends mean beside it.
+/// The bar, five numbers below it and, if they fit, what its ends mean beside it.
 void draw_scale(const Rect &bar, const Rect &picture, double gain) {
     draw_bar(bar);
     for (int i = -2; i <= 2; ++i) {
         const float x = (bar.low.x + bar.high.x) / 2 + bar.width() / 4 * static_cast<float>(i);
-        centred_text(x, bar.high.y + 2, number_text(i / 2.0 / gain, i != 0));
+        centred_text(x, bar.high.y + 2, i == 0 ? "0" : fmt::format("{:+.3g}", i / 2.0 / gain));
     }
     const float gap = ImGui::GetFontSize();
     const float width = ImGui::CalcTextSize("B brighter").x;
@@ -73,23 +69,17 @@ void difference_scale(Session &session, const ViewPainter &painter, const Rect &
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("gain");
     ImGui::SameLine();
-    const ControlRange &range = ranges::gain;
-    ImGui::SliderScalar("##gain", ImGuiDataType_Double, &session.view.gain, &range.slider_low, &range.slider_high,
-                        "%.4g", ImGuiSliderFlags_Logarithmic);
-    session.view.gain = std::clamp(session.view.gain, range.low, range.high);
-    if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
-        session.view.gain = ViewSettings{}.gain;
-    }
-    hint_for_item(session, "Multiplies the difference before it is coloured.  Ctrl+click: type a number.");
+    slider(session, {"gain", gain_range, "Multiplies the difference before it is coloured."}, session.view.gain,
+           ViewSettings{}.gain);
     ImGui::PopItemWidth();
     ImGui::SameLine();
     const double largest = painter.largest_difference();
     if (ImGui::Button("fit") && largest > 0 && std::isfinite(largest)) {
-        session.view.gain = std::clamp(1 / largest, range.low, range.high);
+        session.view.gain = nearest_accepted(1 / largest, gain_range);
     }
     hint_for_item(session, "The gain at which the largest difference reaches the end of the scale.");
     ImGui::SameLine();
-    const std::string number = std::isfinite(largest) ? number_text(largest, false) : "not finite";
+    const std::string number = std::isfinite(largest) ? fmt::format("{:.3g}", largest) : "not finite";
     ImGui::TextColored(std::isfinite(largest) ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : error_text(),
                        "largest |A \xE2\x88\x92 B|  %s", number.c_str());
 }

@@ -6,10 +6,10 @@
 
 namespace sandbox {
 
-/// Height of what stands below a difference picture, in ImGui's units.
+/// Height of the scale and its controls below a difference picture, in ImGui's units.
 float difference_scale_height();
 
-/// Below a difference picture: what its colours mean in numbers, the gain, the largest difference.
+/// Below a difference picture: a scale for its colours, the gain, the largest difference.
 void difference_scale(Session &session, const ViewPainter &painter, const Rect &picture);
 
 } // namespace sandbox

@@ -1,7 +1,7 @@
 #include "ui/views/view_mouse.h"
 
+#include "scene/orbit.h"
 #include "ui/session/edits.h"
-#include "ui/views/orbit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,11 +11,11 @@ namespace sandbox {
 namespace {
 
 bool near_divider(const Session &session, const Rect &rect) {
-    return session.view.mode == ViewMode::wipe &&
+    return session.view.layout == Layout::wipe &&
            std::abs(ImGui::GetIO().MousePos.x - divider_x(session, rect)) < ImGui::GetFontSize() * 0.6F;
 }
 
-/// What a drag does is settled by where it began.
+/// What a drag does depends on where it began.
 enum class Drag { none, orbit, pan, divider };
 
 Drag begun_drag(const Session &session, const Rect &rect) {

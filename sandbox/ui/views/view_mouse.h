@@ -16,8 +16,7 @@ struct Rect {
 /// Where a wipe changes from A to B.
 float divider_x(const Session &session, const Rect &picture);
 
-/// The mouse over one picture: orbit, pan, dolly, the wipe's divider, reset. The cameras are one camera, so it does not
-/// matter which picture it is.
+/// The mouse over one picture: orbit, pan, dolly, the wipe's divider, reset. All pictures have the same camera.
 void mouse_over_picture(Session &session, const Rect &picture, int id);
 
 } // namespace sandbox

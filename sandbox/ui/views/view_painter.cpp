@@ -20,12 +20,12 @@ double milliseconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Infinite where a pixel of one of them is not finite.
+/// Infinite if a pixel of either is not finite.
 double largest_channel_difference(const Image &left, const Image &right) {
     double largest = 0;
     for (std::size_t i = 0; i < std::min(left.pixels.size(), right.pixels.size()); ++i) {
         const glm::dvec3 apart = glm::abs(glm::dvec3(left.pixels[i]) - glm::dvec3(right.pixels[i]));
-        const double most = apart.r + apart.g + apart.b; // NaN if one is: comparisons would lose it
+        const double most = apart.r + apart.g + apart.b; // NaN if one of them is; std::max would lose it
         largest = std::isfinite(most) ? std::max({largest, apart.r, apart.g, apart.b})
                                       : std::numeric_limits<double>::infinity();
     }
@@ -83,7 +83,7 @@ bool ViewPainter::paint_side(Side &side, const Key &key, const DisplayKey &displ
             key.textbook ? draw_textbook(side, key) : draw_timed(side, key);
             side.shown.warning = renderer_.shader_error();
             side.shown.nonfinite = display_side(side, display);
-            if (key.wireframe) { // its lines are counted as little as they are timed
+            if (key.wireframe) { // after timing and counting, so that lines affect neither
                 renderer_.draw_wireframe(key.scene, *side.target, wireframe_color);
                 side.displayed.reset();
             }
@@ -132,7 +132,7 @@ void ViewPainter::paint(const Session &session, Size each) {
         changed |= paint_side(sides_[right ? 1 : 0], key, display);
     }
     measured_ = measured_ && !changed;
-    if (session.view.mode == ViewMode::difference) {
+    if (session.view.layout == Layout::difference) {
         paint_difference(session.view.gain, changed);
     } else {
         difference_.reset();
@@ -154,7 +154,7 @@ std::vector<std::size_t> ViewPainter::triangles(const Scene &scene) {
             counts.push_back(object.mesh->triangles.size());
         }
     } catch (const std::exception &) {
-        counts.clear(); // said in the picture's place
+        counts.clear(); // the view shows the error
     }
     return counts;
 }

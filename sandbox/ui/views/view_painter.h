@@ -11,38 +11,38 @@
 
 namespace sandbox {
 
-/// What one side's picture shows, as last drawn.
+/// One side's picture, as last drawn.
 struct PaintedView {
-    unsigned texture = 0; ///< bottom row first; 0: there is no picture
+    unsigned texture = 0; ///< bottom row first; 0: no picture
     Size size;
-    double milliseconds = 0; ///< of the last time it was drawn, shaders ready
+    double milliseconds = 0; ///< of the last drawing, without compiling shaders
     unsigned nonfinite = 0;  ///< pixels that are NaN or infinite; magenta in the picture
-    std::string error;       ///< why there is no picture
-    std::string warning;     ///< what is wrong though there is one (a shader that does not build)
+    std::string error;       ///< why there is none
+    std::string warning;     ///< there is one, but a shader does not build
 };
 
-/// Draws the two pictures, each only when something that it shows has changed.
+/// Draws the two pictures, each only if something in it has changed.
 class ViewPainter {
   public:
     ViewPainter(Assets assets, Assets shaders)
         : renderer_(std::move(assets), ShaderParts(std::move(shaders))), display_pass_(renderer_.parts()) {}
 
-    /// Brings both sides up to date, and their difference where the view asks for it.
+    /// Updates both sides and, if the layout shows it, their difference.
     void paint(const Session &session, Size each);
 
     [[nodiscard]] const PaintedView &view(bool right) const { return sides_[right ? 1 : 0].shown; }
     /// 0 until both sides have a picture.
     [[nodiscard]] unsigned difference_texture() const { return difference_ ? difference_->texture() : 0; }
-    /// The largest |A - B| of any channel, as of the last measure_difference(); infinite where one is not finite.
+    /// The largest |A - B| of any channel, from the last measure_difference(); infinite if a pixel is not finite.
     [[nodiscard]] double largest_difference() const { return largest_difference_; }
-    /// Reads both pictures back, if they changed since the last time: for when nothing is being dragged.
+    /// Reads both pictures back if they have changed; slow, so not while something is dragged.
     void measure_difference();
 
-    /// Of each object; empty where the scene's meshes cannot be had.
+    /// Triangles of each object; empty if a mesh cannot be read.
     [[nodiscard]] std::vector<std::size_t> triangles(const Scene &scene);
 
     [[nodiscard]] Renderer &renderer() { return renderer_; }
-    /// --shaders DIR: true if a file there changed; everything is then drawn anew.
+    /// --shaders DIR: true if a file there has changed; everything is then redrawn.
     bool reload_changed_shaders();
 
   private:
@@ -62,7 +62,7 @@ class ViewPainter {
         bool operator==(const DisplayKey &) const = default;
     };
     struct Side {
-        std::optional<Key> drawn; ///< also where drawing failed: it is not tried again until something changes
+        std::optional<Key> drawn; ///< also if that failed: it is not retried until something changes
         std::optional<DisplayKey> displayed;
         std::optional<Target> target;
         std::optional<DisplayTexture> display;

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <fmt/format.h>
 #include <imgui.h>
 #include <string>
 
@@ -16,8 +16,8 @@ namespace sandbox {
 
 namespace {
 
-/// Where things go: a line of names above the pictures, a line of figures below.
-struct Plan {
+/// A line of names above the pictures, a line of figures below.
+struct Arrangement {
     Rect pictures;
     float line = 0;
     float gap = 0; ///< between two pictures
@@ -29,17 +29,17 @@ struct Plan {
     }
 };
 
-Plan make_plan(const Session &session) {
-    Plan plan;
-    plan.columns = session.view.mode == ViewMode::side_by_side ? 2 : 1;
-    plan.line = ImGui::GetFrameHeight();
-    plan.gap = 4;
+Arrangement arrange(const Session &session) {
+    Arrangement arrangement;
+    arrangement.columns = session.view.layout == Layout::side_by_side ? 2 : 1;
+    arrangement.line = ImGui::GetFrameHeight();
+    arrangement.gap = 4;
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec2 room = ImGui::GetContentRegionAvail();
-    const float below = session.view.mode == ViewMode::difference ? difference_scale_height() : plan.line;
-    const float bottom = std::max(low.y + room.y - below, low.y + plan.line + 16);
-    plan.pictures = {{low.x, low.y + plan.line}, {low.x + std::max(room.x, 16.0F), bottom}};
-    return plan;
+    const float below = session.view.layout == Layout::difference ? difference_scale_height() : arrangement.line;
+    const float bottom = std::max(low.y + room.y - below, low.y + arrangement.line + 16);
+    arrangement.pictures = {{low.x, low.y + arrangement.line}, {low.x + std::max(room.x, 16.0F), bottom}};
+    return arrangement;
 }
 
 Size pixels_of(const Rect &rect) {
@@ -48,14 +48,14 @@ Size pixels_of(const Rect &rect) {
     return {pixels(rect.width() * scale.x), pixels(rect.height() * scale.y)};
 }
 
-/// Part of a picture, from share `from` to share `to` of its width.
+/// The part of a picture between two shares of its width.
 void draw_picture_part(const Rect &rect, unsigned texture, float from, float to) {
     const ImVec2 low{rect.low.x + rect.width() * from, rect.low.y};
     const ImVec2 high{rect.low.x + rect.width() * to, rect.high.y};
     ImGui::GetWindowDrawList()->AddImage(texture_id(texture), low, high, {from, 1}, {to, 0});
 }
 
-/// In the place of a picture that could not be drawn.
+/// In place of a picture that could not be drawn.
 void draw_error(const Rect &rect, const std::string &text, bool whole) {
     const float margin = ImGui::GetFontSize();
     const float wrap = std::max(rect.width() - 2 * margin, 60.0F);
@@ -81,7 +81,7 @@ void draw_view(const PaintedView &view, const Rect &rect, float from = 0, float 
     }
 }
 
-/// A line of text at a side of `rect`, cut off where it does not fit.
+/// A line of text at the left or right of `rect`, clipped to it.
 void draw_text_line(const Rect &rect, float y, ImVec4 color, const std::string &text, bool align_right) {
     constexpr float margin = 6;
     const float left = rect.low.x + margin;
@@ -106,20 +106,18 @@ std::string side_name(const Session &session, bool right) {
 }
 
 std::string time_text(const PaintedView &view) {
-    char text[48];
-    std::snprintf(text, sizeof text, view.milliseconds < 10 ? "%.1f ms" : "%.0f ms", view.milliseconds);
-    return view.texture != 0 ? text : "";
+    return view.texture != 0 ? fmt::format("{:.{}f} ms", view.milliseconds, view.milliseconds < 10 ? 1 : 0) : "";
 }
 
-/// Nothing where all is well.
+/// Empty if all pixels are finite.
 std::string nonfinite_text(const PaintedView &view) {
     if (view.texture == 0 || view.nonfinite == 0) {
         return "";
     }
-    return std::to_string(view.nonfinite) + (view.nonfinite == 1 ? " non-finite pixel" : " non-finite pixels");
+    return fmt::format("{} non-finite pixel{}", view.nonfinite, view.nonfinite == 1 ? "" : "s");
 }
 
-/// How long it took, and what is wrong with the picture; on a line of its own if `stacked`.
+/// Run time and, on a line of its own if `stacked`, what is wrong with the picture.
 void draw_figures(const PaintedView &view, const Rect &rect, float y, bool align_right, bool stacked) {
     const std::string time = time_text(view);
     const std::string wrong = nonfinite_text(view);
@@ -131,13 +129,13 @@ void draw_figures(const PaintedView &view, const Rect &rect, float y, bool align
         return draw_text_line(rect, y + ImGui::GetFrameHeight(), error_text(), wrong, align_right);
     }
     const float gap = ImGui::GetFontSize();
-    Rect beside = rect; // the time keeps its place
+    Rect beside = rect; // the time does not move
     (align_right ? beside.high.x : beside.low.x) +=
         (align_right ? -1.0F : 1.0F) * (ImGui::CalcTextSize(time.c_str()).x + gap);
     draw_text_line(beside, y, error_text(), wrong, align_right);
 }
 
-/// Above the picture, what it is; `below` it, in lines, its figures.
+/// The technique above the picture, its figures `below` lines under it.
 void draw_names(const Session &session, const ViewPainter &painter, const Rect &rect, bool right, bool align_right,
                 float below = 0) {
     const float line = ImGui::GetFrameHeight();
@@ -145,9 +143,9 @@ void draw_names(const Session &session, const ViewPainter &painter, const Rect &
     draw_figures(painter.view(right), rect, rect.high.y + below * line, align_right, below > 0);
 }
 
-void show_side_by_side(const Session &session, const ViewPainter &painter, const Plan &plan) {
+void show_side_by_side(const Session &session, const ViewPainter &painter, const Arrangement &arrangement) {
     for (const bool right : {false, true}) {
-        const Rect rect = plan.column(right ? 1 : 0);
+        const Rect rect = arrangement.column(right ? 1 : 0);
         draw_view(painter.view(right), rect);
         draw_names(session, painter, rect, right, false);
     }
@@ -195,24 +193,24 @@ void show_difference(Session &session, const ViewPainter &painter, const Rect &r
 } // namespace
 
 void viewports(Session &session, ViewPainter &painter) {
-    const Plan plan = make_plan(session);
-    for (int i = 0; i < plan.columns; ++i) {
-        mouse_over_picture(session, plan.column(i), i);
+    const Arrangement arrangement = arrange(session);
+    for (int i = 0; i < arrangement.columns; ++i) {
+        mouse_over_picture(session, arrangement.column(i), i);
     }
-    const Rect rect = plan.column(0);
+    const Rect rect = arrangement.column(0);
     painter.paint(session, pixels_of(rect));
     session.triangles = painter.triangles(session.document.scene);
     if (!ImGui::IsAnyItemActive()) {
         painter.measure_difference();
     }
-    switch (session.view.mode) {
-    case ViewMode::side_by_side:
-        return show_side_by_side(session, painter, plan);
-    case ViewMode::wipe:
+    switch (session.view.layout) {
+    case Layout::side_by_side:
+        return show_side_by_side(session, painter, arrangement);
+    case Layout::wipe:
         return show_wipe(session, painter, rect);
-    case ViewMode::flip:
+    case Layout::single:
         return show_flip(session, painter, rect);
-    case ViewMode::difference:
+    case Layout::difference:
         return show_difference(session, painter, rect);
     }
 }

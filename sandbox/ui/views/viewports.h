@@ -5,7 +5,7 @@
 
 namespace sandbox {
 
-/// The pictures, filling the current ImGui window: camera and divider by mouse, names above, times below.
+/// Fills the current ImGui window with the pictures: camera and divider by mouse, names above, times below.
 void viewports(Session &session, ViewPainter &painter);
 
 } // namespace sandbox

@@ -1,8 +1,10 @@
 #include "ui/widgets/fonts.h"
 
 #include <cstdlib>
+#include <filesystem>
 #include <imgui.h>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -23,7 +25,7 @@ std::vector<fs::path> font_folders() {
     return folders;
 }
 
-/// All font files below the usual folders; folders that cannot be read are passed over.
+/// All font files below the usual folders; skips folders that cannot be read.
 std::vector<fs::path> font_files() {
     std::vector<fs::path> files;
     for (const fs::path &folder : font_folders()) {
@@ -51,12 +53,13 @@ std::optional<fs::path> find_font(const std::vector<fs::path> &files, std::initi
     return std::nullopt;
 }
 
-ImFont *add_font(const std::optional<fs::path> &file, float pixels) {
+void add_font(const std::optional<fs::path> &file, float pixels) {
     ImFontAtlas &atlas = *ImGui::GetIO().Fonts;
     if (!file) {
         ImFontConfig config;
         config.SizePixels = pixels;
-        return atlas.AddFontDefault(&config);
+        atlas.AddFontDefault(&config);
+        return;
     }
     // Latin, Greek, Cyrillic (names of files may hold them), punctuation, arrows, signs.
     static const ImWchar glyphs[] = {0x0020, 0x024F, 0x0370, 0x03FF, 0x0400, 0x04FF, 0x2010, 0x2027,
@@ -65,24 +68,24 @@ ImFont *add_font(const std::optional<fs::path> &file, float pixels) {
     config.OversampleH = 2;
     config.OversampleV = 1;
     config.PixelSnapH = true;
-    return atlas.AddFontFromFileTTF(file->c_str(), pixels, &config, glyphs);
+    atlas.AddFontFromFileTTF(file->c_str(), pixels, &config, glyphs);
 }
 
 } // namespace
 
-Fonts load_fonts(float scale) {
+void load_fonts(float scale) {
     ImFontAtlas &atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
     atlas.Flags |= ImFontAtlasFlags_NoPowerOfTwoHeight;
     const std::vector<fs::path> files = font_files();
-    Fonts fonts;
-    fonts.text = add_font(find_font(files, {"NotoSans-Regular.ttf", "DejaVuSans.ttf", "LiberationSans-Regular.ttf",
-                                            "FreeSans.ttf", "Ubuntu-R.ttf"}),
-                          16 * scale);
-    fonts.code = add_font(find_font(files, {"NotoSansMono-Regular.ttf", "DejaVuSansMono.ttf",
-                                            "LiberationMono-Regular.ttf", "FreeMono.ttf", "UbuntuMono-R.ttf"}),
-                          15 * scale);
-    return fonts;
+    add_font(find_font(files, {"NotoSans-Regular.ttf", "DejaVuSans.ttf", "LiberationSans-Regular.ttf", "FreeSans.ttf",
+                               "Ubuntu-R.ttf"}),
+             16 * scale);
+    add_font(find_font(files, {"NotoSansMono-Regular.ttf", "DejaVuSansMono.ttf", "LiberationMono-Regular.ttf",
+                               "FreeMono.ttf", "UbuntuMono-R.ttf"}),
+             15 * scale);
 }
+
+ImFont *code_font() { return ImGui::GetIO().Fonts->Fonts[1]; }
 
 } // namespace sandbox

@@ -1,19 +1,14 @@
 #pragma once
 
-#include <filesystem>
-#include <optional>
-
 struct ImFont;
 
 namespace sandbox {
 
-/// Text for reading and text for programs. Where the system has no such font, Dear ImGui's own, magnified.
-struct Fonts {
-    ImFont *text = nullptr;
-    ImFont *code = nullptr;
-};
+/// Fills ImGui's font atlas with a text font and a monospaced one, 16 * `scale` pixels high, or with Dear ImGui's own
+/// font if the system has none. The backend's texture must then be made again.
+void load_fonts(float scale);
 
-/// Fills ImGui's font atlas for `scale` (1: 16 pixels). The backend's texture must be made again afterwards.
-Fonts load_fonts(float scale);
+/// The monospaced one.
+ImFont *code_font();
 
 } // namespace sandbox

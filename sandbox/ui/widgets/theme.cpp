@@ -12,7 +12,7 @@ ImVec4 rgb(unsigned hex, float alpha = 1) {
     return {part(16), part(8), part(0), alpha};
 }
 
-/// Text against background is above 12:1 in both, the borders of controls above 3:1.
+/// In both, the contrast of text is above 12:1 and that of the borders of controls above 3:1.
 struct Palette {
     ImVec4 text, quiet, error, window, popup, frame, frame_hovered, frame_active, border, accent, accent_hovered,
         header, header_hovered, on_accent, left, right;
@@ -57,7 +57,7 @@ void apply_colors(const Palette &p) {
     set({ImGuiCol_TextSelectedBg}, ImVec4(p.accent.x, p.accent.y, p.accent.z, 0.4F));
 }
 
-/// The one in use, told by its background.
+/// The theme in use, recognised by its background.
 bool is_dark() { return ImGui::GetStyle().Colors[ImGuiCol_WindowBg].x < 0.5F; }
 Palette palette() { return is_dark() ? dark_palette() : light_palette(); }
 
@@ -82,7 +82,7 @@ void apply_theme(bool dark, float scale) {
     style.WindowRounding = 0;
     style.WindowBorderSize = 0;
     style.PopupBorderSize = 1;
-    style.FrameBorderSize = 1; // what can be used stands out on any projector
+    style.FrameBorderSize = 1; // controls stand out on any projector
     style.ScaleAllSizes(scale);
 }
 

@@ -7,7 +7,7 @@ namespace sandbox {
 /// Colours and spacing for dark or light rooms, both at high contrast; `scale` 1 is for 16-pixel text.
 void apply_theme(bool dark, float scale);
 
-/// Of the theme in use.
+/// Colours of the theme in use:
 ImVec4 quiet_text();     ///< headings, what is less important
 ImVec4 error_text();     ///< what went wrong
 ImVec4 text_on_accent(); ///< on pressed buttons

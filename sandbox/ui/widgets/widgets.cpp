@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
+#include <fmt/format.h>
+#include <fmt/printf.h>
 
 namespace sandbox {
 
@@ -13,74 +14,156 @@ namespace {
 
 constexpr float label_ems = 9.2F; // of a row, in text heights
 
-std::string formatted(double value, const char *format) {
-    char text[64];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
-}
-
-/// A slider over what is usual, wider where the opened scene is; typed numbers may be anything that a scene file takes.
-ControlRange sliding(ControlRange range, double opened) {
-    range.slider_low = std::min(range.slider_low, opened);
-    range.slider_high = opened > range.slider_high ? std::min(range.high, opened * 2) : range.slider_high;
-    return range;
-}
-
-/// After the control was drawn: right click, what may not be, and the hint.
-bool settled(Session &session, bool changed, double &value, double before, double opened, const ControlRange &range,
-             const char *what) {
+/// Behind a number's control. A scene file's range holds, for typed numbers too.
+bool finish_number(Session &session, const Row &row, double &value, double before, double opened) {
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
         value = opened;
-        changed = true;
     }
-    if (changed) {
-        value = std::isfinite(value) ? std::clamp(value, range.low, range.high) : before;
+    if (value != before) {
+        value = std::isfinite(value) ? nearest_accepted(value, row.range) : before;
     }
-    hint_for_item(session, std::string(what) + ".  Ctrl+click: type a number.  Right-click: back to " +
-                               formatted(opened, range.format) + ".");
-    return changed && value != before;
+    hint_for_item(session, fmt::format("{}  Ctrl+click: type a number.  Right-click: back to {}.", row.hint,
+                                       fmt::sprintf(row.range.slider.format, opened)));
+    return value != before;
 }
 
-bool slider(Session &session, double &value, double opened, const ControlRange &range, const char *what) {
-    const ControlRange shown = sliding(range, opened);
+bool number(Session &session, const Row &row, double &value, double opened) {
     const double before = value;
-    const ImGuiSliderFlags flags = shown.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
-    const bool changed = ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &shown.slider_low,
-                                             &shown.slider_high, shown.format, flags);
-    return settled(session, changed, value, before, opened, range, what);
+    const auto speed = static_cast<float>((row.range.slider.high - row.range.slider.low) / 400);
+    ImGui::DragScalar("##value", ImGuiDataType_Double, &value, speed, nullptr, nullptr, row.range.slider.format);
+    return finish_number(session, row, value, before, opened);
 }
 
-bool number(Session &session, double &value, double opened, const ControlRange &range, const char *what) {
-    const double before = value;
-    const float speed = static_cast<float>((range.slider_high - range.slider_low) / 400);
-    const bool changed =
-        ImGui::DragScalar("##value", ImGuiDataType_Double, &value, speed, nullptr, nullptr, range.format);
-    return settled(session, changed, value, before, opened, range, what);
+template <int N>
+bool vector_row(Session &session, const Row &row, glm::vec<N, double> &value, const glm::vec<N, double> &opened) {
+    row_label(row.label);
+    const ScopedId id(row.label);
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float width = (ImGui::GetContentRegionAvail().x - (N - 1) * gap) / N;
+    const Row each{row.label, row.range, row.hint + "  Drag sideways."};
+    bool changed = false;
+    for (int i = 0; i < N; ++i) {
+        const ScopedId component(static_cast<std::size_t>(i));
+        if (i > 0) {
+            ImGui::SameLine(0, gap);
+        }
+        ImGui::SetNextItemWidth(width);
+        changed |= number(session, each, value[i], opened[i]);
+    }
+    return changed;
 }
 
 /// Colour pickers work in float; six decimals bring 0.8 back as 0.8.
-double from_float(float value) {
-    return std::isfinite(value) ? std::clamp(std::round(static_cast<double>(value) * 1e6) / 1e6, 0.0, 1e6) : 0;
+double from_float(float value, const Range &range) {
+    return std::isfinite(value) ? nearest_accepted(std::round(static_cast<double>(value) * 1e6) / 1e6, range) : 0;
+}
+
+bool color_row(Session &session, const Row &row, glm::dvec3 &value, const glm::dvec3 &opened) {
+    row_label(row.label);
+    const ScopedId id(row.label);
+    float rgb[3] = {static_cast<float>(value.x), static_cast<float>(value.y), static_cast<float>(value.z)};
+    bool changed =
+        ImGui::ColorEdit3("##value", rgb,
+                          ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_NoOptions |
+                              ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop);
+    if (changed) {
+        value = {from_float(rgb[0], row.range), from_float(rgb[1], row.range), from_float(rgb[2], row.range)};
+    }
+    if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
+        changed = value != opened;
+        value = opened;
+    }
+    hint_for_item(session, row.hint + "  The square opens a picker.  Right-click: back to the scene's colour.");
+    return changed;
 }
 
 } // namespace
 
-void hint_for_item(Session &session, const std::string &what) {
+bool slider(Session &session, const Row &row, double &value, double opened) {
+    Slider shown = row.range.slider;
+    shown.low = std::min(shown.low, opened);
+    shown.high = opened > shown.high ? std::min(row.range.high, opened * 2) : shown.high;
+    const double before = value;
+    const ScopedId id(row.label);
+    ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &shown.low, &shown.high, shown.format,
+                        shown.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
+    return finish_number(session, row, value, before, opened);
+}
+
+bool control_row(Session &session, const Row &row, double &value, double opened) {
+    row_label(row.label);
+    return slider(session, row, value, opened);
+}
+
+bool control_row(Session &session, const Row &row, int &value, int opened) {
+    double number = value;
+    const bool changed = control_row(session, row, number, opened);
+    value = static_cast<int>(std::lround(number));
+    return changed;
+}
+
+bool control_row(Session &session, const Row &row, bool &value, bool opened) {
+    bool changed = ImGui::Checkbox(row.label.c_str(), &value);
+    if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
+        changed = value != opened;
+        value = opened;
+    }
+    hint_for_item(session, row.hint);
+    return changed;
+}
+
+bool control_row(Session &session, const Row &row, glm::dvec2 &value, const glm::dvec2 &opened) {
+    return vector_row<2>(session, row, value, opened);
+}
+
+bool control_row(Session &session, const Row &row, glm::dvec3 &value, const glm::dvec3 &opened) {
+    return row.range.a_color ? color_row(session, row, value, opened) : vector_row<3>(session, row, value, opened);
+}
+
+bool control_row(Session &session, const Row &row, std::array<glm::dvec3, 2> &value,
+                 const std::array<glm::dvec3, 2> &opened) {
+    bool changed = false;
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        changed |=
+            control_row(session, {fmt::format("{} {}", row.label, i + 1), row.range, row.hint}, value[i], opened[i]);
+    }
+    return changed;
+}
+
+bool choice_row(Session &session, const char *label, std::span<const std::string> names, std::size_t &chosen,
+                const char *hint) {
+    row_label(label);
+    const ScopedId id(label);
+    const std::size_t before = chosen;
+    if (ImGui::BeginCombo("##value", chosen < names.size() ? names[chosen].c_str() : "")) {
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            const ScopedId name(i);
+            if (ImGui::Selectable(names[i].c_str(), i == chosen)) {
+                chosen = i;
+            }
+        }
+        ImGui::EndCombo();
+    }
+    hint_for_item(session, hint);
+    return chosen != before;
+}
+
+void hint_for_item(Session &session, const std::string &hint) {
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsItemActive()) {
-        session.hint = what;
+        session.hint = hint;
     }
 }
 
-void row_label(const char *label) {
+void row_label(const std::string &label) {
     ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(label);
+    ImGui::TextUnformatted(label.c_str());
     ImGui::SameLine(ImGui::GetFontSize() * label_ems);
     ImGui::SetNextItemWidth(-1);
 }
 
-void heading(const char *text) {
+void heading(std::string_view text) {
     ImGui::Spacing();
-    ImGui::TextColored(quiet_text(), "%s", text);
+    ImGui::TextColored(quiet_text(), "%.*s", static_cast<int>(text.size()), text.data());
 }
 
 void wrapped_text(const ImVec4 &color, const std::string &text) {
@@ -101,108 +184,21 @@ void same_line_if_fits(float width) {
     }
 }
 
-bool toggle_button(const char *label, bool on) {
+float button_width(const std::string &label) {
+    return ImGui::CalcTextSize(label.c_str()).x + ImGui::GetStyle().FramePadding.x * 2;
+}
+
+bool toggle_button(const std::string &label, bool on) {
     if (on) {
         ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
         ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
         ImGui::PushStyleColor(ImGuiCol_Text, text_on_accent());
     }
-    const bool clicked = ImGui::Button(label);
+    const bool clicked = ImGui::Button(label.c_str());
     if (on) {
         ImGui::PopStyleColor(3);
     }
     return clicked;
-}
-
-bool slider_row(Session &session, const char *label, double &value, double opened, const ControlRange &range,
-                const char *what) {
-    row_label(label);
-    ImGui::PushID(label);
-    const bool changed = slider(session, value, opened, range, what);
-    ImGui::PopID();
-    return changed;
-}
-
-bool slider_row(Session &session, const char *label, int &value, int opened, const ControlRange &range,
-                const char *what) {
-    double number = value;
-    const bool changed = slider_row(session, label, number, opened, range, what);
-    if (changed) {
-        value = static_cast<int>(std::lround(number));
-    }
-    return changed;
-}
-
-bool color_row(Session &session, const char *label, glm::dvec3 &value, const glm::dvec3 &opened, const char *what) {
-    row_label(label);
-    ImGui::PushID(label);
-    float rgb[3] = {static_cast<float>(value.x), static_cast<float>(value.y), static_cast<float>(value.z)};
-    bool changed =
-        ImGui::ColorEdit3("##value", rgb,
-                          ImGuiColorEditFlags_Float | ImGuiColorEditFlags_HDR | ImGuiColorEditFlags_NoOptions |
-                              ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop);
-    if (changed) {
-        value = {from_float(rgb[0]), from_float(rgb[1]), from_float(rgb[2])};
-    }
-    if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
-        value = opened;
-        changed = true;
-    }
-    hint_for_item(session,
-                  std::string(what) + ".  The square opens a picker.  Right-click: back to the scene's colour.");
-    ImGui::PopID();
-    return changed;
-}
-
-bool vector_row(Session &session, const char *label, glm::dvec3 &value, const glm::dvec3 &opened,
-                const ControlRange &range, const char *what) {
-    row_label(label);
-    ImGui::PushID(label);
-    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    const float width = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3;
-    bool changed = false;
-    for (int i = 0; i < 3; ++i) {
-        ImGui::PushID(i);
-        if (i > 0) {
-            ImGui::SameLine(0, gap);
-        }
-        ImGui::SetNextItemWidth(width);
-        changed |= number(session, value[i], opened[i], range, what);
-        ImGui::PopID();
-    }
-    ImGui::PopID();
-    return changed;
-}
-
-bool switch_row(Session &session, const char *label, bool &value, bool opened, const char *what) {
-    bool changed = ImGui::Checkbox(label, &value);
-    if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
-        changed = value != opened;
-        value = opened;
-    }
-    hint_for_item(session, std::string(what) + ".");
-    return changed;
-}
-
-bool choice_row(Session &session, const char *label, std::span<const std::string> names, std::size_t &chosen,
-                const char *what) {
-    row_label(label);
-    ImGui::PushID(label);
-    const std::size_t before = chosen;
-    const char *preview = chosen < names.size() ? names[chosen].c_str() : "";
-    if (ImGui::BeginCombo("##value", preview)) {
-        for (std::size_t i = 0; i < names.size(); ++i) {
-            ImGui::PushID(static_cast<int>(i));
-            if (ImGui::Selectable(names[i].c_str(), i == chosen)) {
-                chosen = i;
-            }
-            ImGui::PopID();
-        }
-        ImGui::EndCombo();
-    }
-    hint_for_item(session, std::string(what) + ".");
-    ImGui::PopID();
-    return chosen != before;
 }
 
 } // namespace sandbox

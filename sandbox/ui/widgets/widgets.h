@@ -1,43 +1,64 @@
 #pragma once
 
-#include "ui/session/ranges.h"
+#include "scene/scene_format.h"
 #include "ui/session/session.h"
 
-#include <glm/vec3.hpp>
+#include <array>
 #include <imgui.h>
 #include <span>
 #include <string>
+#include <string_view>
 
-/// Rows of a panel: a label on the left, the control on the right. Each returns true when it changed its value, is set
-/// back by a right click to `opened`, takes a typed number on Ctrl+click, and says what it is in the status line.
 namespace sandbox {
 
-bool slider_row(Session &session, const char *label, double &value, double opened, const ControlRange &range,
-                const char *what);
-bool slider_row(Session &session, const char *label, int &value, int opened, const ControlRange &range,
-                const char *what);
-bool color_row(Session &session, const char *label, glm::dvec3 &value, const glm::dvec3 &opened, const char *what);
-/// Three numbers; each resets alone.
-bool vector_row(Session &session, const char *label, glm::dvec3 &value, const glm::dvec3 &opened,
-                const ControlRange &range, const char *what);
-bool switch_row(Session &session, const char *label, bool &value, bool opened, const char *what);
-/// One of `names`.
-bool choice_row(Session &session, const char *label, std::span<const std::string> names, std::size_t &chosen,
-                const char *what);
+/// What a row of a panel says, and the numbers it takes.
+struct Row {
+    std::string label; ///< with its unit; no two rows of a panel have the same
+    Range range;
+    std::string hint; ///< whole sentences
+};
 
-/// Says `what` in the status line while the mouse is over the last item.
-void hint_for_item(Session &session, const std::string &what);
+/// Rows of a panel: a label on the left, the control on the right. Each returns true when it changed its value. A right
+/// click resets the value to `opened`, Ctrl+click takes a typed number, and the status line says what the row is for.
+bool control_row(Session &session, const Row &row, double &value, double opened);
+bool control_row(Session &session, const Row &row, int &value, int opened);
+bool control_row(Session &session, const Row &row, bool &value, bool opened);
+bool control_row(Session &session, const Row &row, glm::dvec2 &value, const glm::dvec2 &opened);
+/// A colour or a vector, as the range says. Each number of a vector resets alone.
+bool control_row(Session &session, const Row &row, glm::dvec3 &value, const glm::dvec3 &opened);
+bool control_row(Session &session, const Row &row, std::array<glm::dvec3, 2> &value,
+                 const std::array<glm::dvec3, 2> &opened);
+/// A list that opens; `chosen` is one of `names`.
+bool choice_row(Session &session, const char *label, std::span<const std::string> names, std::size_t &chosen,
+                const char *hint);
+
+/// The slider alone: as wide as the next item, over the usual part of the range and as far as `opened`.
+bool slider(Session &session, const Row &row, double &value, double opened);
+
+/// Shows `hint` in the status line while the mouse is over the last item.
+void hint_for_item(Session &session, const std::string &hint);
 /// The label of a row; its control comes next.
-void row_label(const char *label);
+void row_label(const std::string &label);
 /// A short heading inside a panel.
-void heading(const char *text);
+void heading(std::string_view text);
 /// In lines no wider than the window.
 void wrapped_text(const ImVec4 &color, const std::string &text);
 /// An OpenGL texture's name as ImGui takes it.
 ImTextureID texture_id(unsigned texture);
-/// The next item on the same line if `width` still fits, else on the next one.
+/// Puts the next item on the same line if `width` still fits there.
 void same_line_if_fits(float width);
+/// The width of a button with this label.
+float button_width(const std::string &label);
 /// A button that stays pressed while `on`; true when clicked.
-bool toggle_button(const char *label, bool on);
+bool toggle_button(const std::string &label, bool on);
+
+/// While it lives, ImGui's names of items belong to `id`.
+struct ScopedId {
+    explicit ScopedId(const std::string &id) { ImGui::PushID(id.c_str()); }
+    explicit ScopedId(std::size_t id) { ImGui::PushID(static_cast<int>(id)); }
+    ~ScopedId() { ImGui::PopID(); }
+    ScopedId(const ScopedId &) = delete;
+    ScopedId &operator=(const ScopedId &) = delete;
+};
 
 } // namespace sandbox

@@ -41,7 +41,7 @@ TEST(Document, ACaptureIsShownAsItWasTaken) {
     Scene scene;
     scene.objects = {Object{"ball", SphereShape{}, {}, {}, false}};
     Session session = session_with(scene);
-    session.view.mode = ViewMode::wipe;
+    session.view.layout = Layout::wipe;
     session.view.divider = 0.25F;
     session.document.exposure = 2;
     session.document.display = Display::srgb;
@@ -58,7 +58,7 @@ TEST(Document, ACaptureIsShownAsItWasTaken) {
     EXPECT_EQ(restored.display, Display::srgb);
     ViewSettings view;
     take_view(view, file);
-    EXPECT_EQ(view.mode, ViewMode::wipe);
+    EXPECT_EQ(view.layout, Layout::wipe);
     EXPECT_EQ(view.divider, 0.25F);
     EXPECT_EQ(scene_in_view(restored, {300, 600}), seen); // not widened a second time
 }
@@ -73,7 +73,7 @@ TEST(Document, ATextbooksPictureLastsAsLongAsItsTechnique) {
     const auto path = folder.path() / "a.png.json";
     write_file(path, sidecar_text(Scene{}, picture_options(session, {300, 200}), {}));
     EXPECT_TRUE(document_from(open_file(path.string(), Assets("assets")), session_with(Scene{})).left_is_textbook());
-    session.view.mode = ViewMode::flip;
+    session.view.layout = Layout::single;
     session.view.show_right = true;
     EXPECT_FALSE(picture_options(session, {300, 200}).textbook_left);
 
@@ -84,7 +84,7 @@ TEST(Document, ATextbooksPictureLastsAsLongAsItsTechnique) {
 TEST(Document, ASceneBringsNoTechnique) {
     const OpenedFile file = open_file("three-point-lights", Assets("assets"));
     EXPECT_EQ(file.name, "three-point-lights");
-    EXPECT_FALSE(file.left || file.right || file.mode || file.capture);
+    EXPECT_FALSE(file.left || file.right || file.layout || file.capture);
     Session session = session_with(Scene{});
     session.document.left = parse_technique("flat/lambert");
     EXPECT_EQ(document_from(file, session).left, session.document.left);
@@ -118,7 +118,7 @@ TEST(CaptureFiles, NamesStayInTheFolder) {
 TEST(CaptureFiles, SideBySideHoldsBothViews) {
     Session session = session_with(Scene{});
     EXPECT_EQ(picture_options(session, {300, 200}).size, (Size{600, 200}));
-    session.view.mode = ViewMode::flip;
+    session.view.layout = Layout::single;
     session.view.show_right = true;
     EXPECT_EQ(picture_options(session, {300, 200}).left, blinn);
     EXPECT_EQ(picture_options(session, {300, 200}).size, (Size{300, 200}));

@@ -113,6 +113,22 @@ TEST(Edits, AttenuationIsNeverAllZero) {
     EXPECT_EQ(fine, (Attenuation{0, 0, 0.5}));
 }
 
+TEST(Edits, SlidersLeaveALightThatTheReaderAccepts) {
+    Light light;
+    light.type = LightType::spot;
+    const Light before = light;
+    light.direction = glm::dvec3(0);
+    light.attenuation = {0, 0, 0};
+    light.cutoff_degrees = 20;
+    light.inner_cutoff_degrees = 50;
+    keep_valid(light, before);
+    Scene scene = one_object();
+    scene.lights = {light};
+    EXPECT_EQ(read_back(scene), scene);
+    EXPECT_EQ(light.direction, before.direction);
+    EXPECT_EQ(light.cutoff_degrees, 20);
+}
+
 TEST(Edits, SettingAKeyLeavesAValidTechnique) {
     Technique technique = parse_technique("per-pixel/blinn-phong:half_vector=constant,renormalize=off");
     set_key(technique, key_of("model"), static_cast<int>(Model::phong));

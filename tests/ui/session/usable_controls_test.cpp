@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <string_view>
+#include <vector>
 
 namespace sandbox {
 namespace {
@@ -39,15 +41,44 @@ const TechniqueKey &key_of(std::string_view name) {
     return *std::ranges::find(technique_keys(), name, &TechniqueKey::name);
 }
 
+/// The keys of `value`, a part of `scene`, that something reads.
+template <class T>
+std::vector<std::string_view> usable_keys(const T &value, const Scene &scene, const Technique &left,
+                                          const Technique &right) {
+    std::vector<std::string_view> keys;
+    for_each_field<T>([&](const auto &field) {
+        if (is_usable(field, value, terms_of(scene, left, right))) {
+            keys.push_back(field.key);
+        }
+    });
+    return keys;
+}
+
+/// Is this property usable?
+template <class T, class M>
+bool usable(const T &value, M T::*member, const Scene &scene, const Technique &left, const Technique &right) {
+    bool found = false;
+    for_each_field<T>([&](const auto &field) {
+        if constexpr (std::is_same_v<decltype(field.member), M T::*>) {
+            found |= field.member == member && is_usable(field, value, terms_of(scene, left, right));
+        }
+    });
+    return found;
+}
+template <class M> bool usable(const Light &light, M Light::*member) {
+    return usable(light, member, scene_with({light}), phong, phong);
+}
+
 TEST(UsableControls, NoSpecularUnderLambertOnBothSides) {
     const Scene scene = scene_with({light_of(LightType::point)});
-    EXPECT_FALSE(light_controls(scene.lights[0], lambert, lambert).specular);
-    EXPECT_FALSE(material_controls(scene, 0, lambert, lambert).specular);
-    EXPECT_FALSE(material_controls(scene, 0, lambert, lambert).shininess);
+    const Material &material = scene.objects[0].material;
+    EXPECT_FALSE(usable(scene.lights[0], &Light::specular, scene, lambert, lambert));
+    EXPECT_FALSE(usable(material, &Material::specular, scene, lambert, lambert));
+    EXPECT_FALSE(usable(material, &Material::shininess, scene, lambert, lambert));
     for (const auto &[left, right] : {std::pair{lambert, phong}, std::pair{blinn, lambert}, std::pair{phong, blinn}}) {
-        EXPECT_TRUE(light_controls(scene.lights[0], left, right).specular);
-        EXPECT_TRUE(material_controls(scene, 0, left, right).specular);
-        EXPECT_TRUE(material_controls(scene, 0, left, right).shininess);
+        EXPECT_TRUE(usable(scene.lights[0], &Light::specular, scene, left, right));
+        EXPECT_TRUE(usable(material, &Material::specular, scene, left, right));
+        EXPECT_TRUE(usable(material, &Material::shininess, scene, left, right));
     }
 }
 
@@ -58,71 +89,86 @@ TEST(UsableControls, ATermAtZeroKeepsItsSlider) {
     Scene scene = scene_with({dark});
     scene.objects[0].material.specular = {0, 0, 0};
     scene.objects[0].material.shininess = 0;
-    EXPECT_EQ(light_controls(dark, phong, phong), light_controls(light_of(LightType::spot), phong, phong));
-    EXPECT_TRUE(material_controls(scene, 0, phong, phong).specular);
-    EXPECT_TRUE(material_controls(scene, 0, phong, phong).shininess);
-    EXPECT_TRUE(material_controls(scene, 0, phong, phong).diffuse);
+    EXPECT_EQ(usable_keys(dark, scene, phong, phong), usable_keys(light_of(LightType::spot), scene, phong, phong));
+    const Material &material = scene.objects[0].material;
+    EXPECT_TRUE(usable(material, &Material::specular, scene, phong, phong));
+    EXPECT_TRUE(usable(material, &Material::shininess, scene, phong, phong));
+    EXPECT_TRUE(usable(material, &Material::diffuse, scene, phong, phong));
 }
 
 TEST(UsableControls, DirectionalHasNoPlaceAndDoesNotFade) {
-    const LightControls can = light_controls(light_of(LightType::directional), phong, phong);
-    EXPECT_TRUE(can.direction);
-    EXPECT_FALSE(can.position);
-    EXPECT_FALSE(can.attenuation);
-    EXPECT_FALSE(can.attenuate_ambient);
-    EXPECT_FALSE(can.cone);
+    const Light light = light_of(LightType::directional);
+    EXPECT_TRUE(usable(light, &Light::direction));
+    EXPECT_FALSE(usable(light, &Light::position));
+    EXPECT_FALSE(usable(light, &Light::attenuation));
+    EXPECT_FALSE(usable(light, &Light::attenuate_ambient));
+    EXPECT_FALSE(usable(light, &Light::cutoff_degrees));
 }
 
 TEST(UsableControls, PointHasNoDirectionAndNoCone) {
-    const LightControls can = light_controls(light_of(LightType::point), phong, phong);
-    EXPECT_TRUE(can.position);
-    EXPECT_TRUE(can.attenuation);
-    EXPECT_TRUE(can.attenuate_ambient);
-    EXPECT_FALSE(can.direction);
-    EXPECT_FALSE(can.cone);
-    EXPECT_FALSE(can.cone_shape);
+    const Light light = light_of(LightType::point);
+    EXPECT_TRUE(usable(light, &Light::position));
+    EXPECT_TRUE(usable(light, &Light::attenuation));
+    EXPECT_TRUE(usable(light, &Light::attenuate_ambient));
+    EXPECT_FALSE(usable(light, &Light::direction));
+    EXPECT_FALSE(usable(light, &Light::cutoff_degrees));
+    EXPECT_FALSE(usable(light, &Light::inner_cutoff_degrees));
+    EXPECT_FALSE(usable(light, &Light::exponent));
 }
 
 TEST(UsableControls, ASpotWithoutAConeIsAPointLight) {
     Light spot = light_of(LightType::spot);
-    EXPECT_TRUE(light_controls(spot, phong, phong).cone_shape);
-    EXPECT_TRUE(light_controls(spot, phong, phong).direction);
+    EXPECT_TRUE(usable(spot, &Light::cutoff_degrees));
+    EXPECT_TRUE(usable(spot, &Light::inner_cutoff_degrees));
+    EXPECT_TRUE(usable(spot, &Light::exponent));
+    EXPECT_TRUE(usable(spot, &Light::direction));
     spot.cutoff_degrees = 180;
-    EXPECT_TRUE(light_controls(spot, phong, phong).cone); // to switch it on again
-    EXPECT_FALSE(light_controls(spot, phong, phong).cone_shape);
-    EXPECT_FALSE(light_controls(spot, phong, phong).direction);
+    EXPECT_FALSE(usable(spot, &Light::cutoff_degrees));
+    EXPECT_FALSE(usable(spot, &Light::inner_cutoff_degrees));
+    EXPECT_FALSE(usable(spot, &Light::exponent));
+    EXPECT_FALSE(usable(spot, &Light::direction));
 }
 
 TEST(UsableControls, ALightThatIsOffHasNone) {
     Light off = light_of(LightType::spot);
     off.enabled = false;
-    EXPECT_EQ(light_controls(off, phong, blinn), LightControls{});
+    EXPECT_TRUE(usable_keys(off, scene_with({off}), phong, blinn).empty());
 }
 
 TEST(UsableControls, WithoutALightThatIsOnOnlyAmbientAndEmissionAreLeft) {
     Scene scene = scene_with({light_of(LightType::point)});
     scene.lights[0].enabled = false;
-    EXPECT_EQ(material_controls(scene, 0, phong, blinn), MaterialControls{});
-    EXPECT_EQ(scene_controls(scene, phong, blinn), SceneControls{});
+    const Material &material = scene.objects[0].material;
+    for (const auto color : {&Material::diffuse, &Material::specular}) {
+        EXPECT_FALSE(usable(material, color, scene, phong, blinn));
+    }
+    EXPECT_FALSE(usable(material, &Material::shininess, scene, phong, blinn));
+    EXPECT_FALSE(usable(material, &Material::checker, scene, phong, blinn));
+    EXPECT_FALSE(usable(material, &Material::texture_modulates_specular, scene, phong, blinn));
+    EXPECT_FALSE(usable(scene, &Scene::blinn_exponent_scale, scene, phong, blinn));
 }
 
 TEST(UsableControls, BlinnScaleOnlyUnderBlinnPhong) {
     const Scene scene = scene_with({light_of(LightType::point)});
-    EXPECT_FALSE(scene_controls(scene, phong, lambert).blinn_exponent_scale);
-    EXPECT_TRUE(scene_controls(scene, phong, blinn).blinn_exponent_scale);
-    EXPECT_TRUE(scene_controls(scene, blinn, lambert).blinn_exponent_scale);
+    EXPECT_FALSE(usable(scene, &Scene::blinn_exponent_scale, scene, phong, lambert));
+    EXPECT_TRUE(usable(scene, &Scene::blinn_exponent_scale, scene, phong, blinn));
+    EXPECT_TRUE(usable(scene, &Scene::blinn_exponent_scale, scene, blinn, lambert));
 }
 
 TEST(UsableControls, ModulatingTheHighlightNeedsASurfaceAndAHighlight) {
     Scene scene = scene_with({light_of(LightType::point)});
-    EXPECT_FALSE(material_controls(scene, 0, phong, phong).modulates_specular);
-    scene.objects[0].material.texture = "checker.png";
-    EXPECT_TRUE(material_controls(scene, 0, phong, phong).modulates_specular);
-    EXPECT_FALSE(material_controls(scene, 0, lambert, lambert).modulates_specular);
-    scene.objects[0].material.texture.clear();
-    scene.objects[0].material.checker = Checker{};
-    EXPECT_TRUE(material_controls(scene, 0, phong, phong).modulates_specular);
-    EXPECT_TRUE(material_controls(scene, 0, phong, phong).checker);
+    Material &material = scene.objects[0].material;
+    const auto modulates = [&](const Technique &technique) {
+        return usable(material, &Material::texture_modulates_specular, scene, technique, technique);
+    };
+    EXPECT_FALSE(modulates(phong));
+    material.texture = "checker.png";
+    EXPECT_TRUE(modulates(phong));
+    EXPECT_FALSE(modulates(lambert));
+    material.texture.clear();
+    material.checker = Checker{};
+    EXPECT_TRUE(modulates(phong));
+    EXPECT_TRUE(usable(material, &Material::checker, scene, phong, phong));
 }
 
 TEST(UsableControls, KeysAreOfferedWhereTheSceneAsksForThem) {

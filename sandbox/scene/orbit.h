@@ -2,7 +2,12 @@
 
 #include "scene/scene.h"
 
+/// Moving a camera around its target.
 namespace sandbox {
+
+/// Turned by `degrees` about the axis through its target along its up vector, counter-clockwise seen from above. 0
+/// gives the camera itself, to the last bit.
+Camera orbit_camera(const Camera &camera, double degrees);
 
 /// A camera as a turntable sees it: where it stands around its target, with `up` as the axle.
 struct OrbitPose {
@@ -18,7 +23,7 @@ OrbitPose orbit_pose(const Camera &camera);
 /// The camera moved to `pose` about its own target; the distance is kept between its clip planes.
 Camera at_pose(Camera camera, OrbitPose pose);
 
-/// Turned by angles in degrees. Stops at the poles; a camera already beyond them (a plan view) may stay there.
+/// Turned by hand, by angles in degrees. Stops at the poles; a camera already beyond them (a plan view) may stay there.
 Camera orbited(const Camera &camera, double azimuth_degrees, double elevation_degrees);
 /// The distance to the target times `factor`.
 Camera dollied(const Camera &camera, double factor);

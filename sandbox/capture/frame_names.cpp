@@ -1,19 +1,11 @@
-#include "capture/orbit.h"
+#include "capture/frame_names.h"
 
 #include "image/error.h"
 
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <numbers>
+#include <fmt/format.h>
 
 namespace sandbox {
 namespace {
-
-/// Rodrigues' rotation of `v` about the unit `axis`, right-handed.
-glm::dvec3 rotate_about(glm::dvec3 v, glm::dvec3 axis, double radians) {
-    const double c = std::cos(radians);
-    return v * c + glm::cross(axis, v) * std::sin(radians) + axis * (glm::dot(axis, v) * (1 - c));
-}
 
 /// Length of the conversion "%d" or "%0Nd" that `text` begins with; 0 if it begins with none.
 std::size_t conversion_length(std::string_view text) {
@@ -26,26 +18,10 @@ std::size_t conversion_length(std::string_view text) {
 }
 
 std::string padded_number(int number, std::string_view conversion) {
-    std::string digits = std::to_string(number);
-    const std::size_t width = conversion.size() == 4 ? static_cast<std::size_t>(conversion[2] - '0') : 0;
-    if (digits.size() < width) {
-        digits.insert(0, width - digits.size(), '0');
-    }
-    return digits;
+    return fmt::format("{:0{}}", number, conversion.size() == 4 ? conversion[2] - '0' : 1);
 }
 
 } // namespace
-
-Camera orbit_camera(const Camera &camera, double degrees) {
-    if (degrees == 0) {
-        return camera;
-    }
-    Camera turned = camera;
-    const glm::dvec3 axis = glm::normalize(camera.up);
-    turned.position =
-        camera.target + rotate_about(camera.position - camera.target, axis, degrees * std::numbers::pi / 180);
-    return turned;
-}
 
 double orbit_degrees(double degrees, int i, int frames) { return degrees * i / frames; }
 
@@ -82,9 +58,9 @@ std::string frame_name(std::string_view pattern, int i) {
         }
     }
     if (conversions != 1) {
-        throw InputError(
-            "expected a file name with exactly one frame number such as %04d (%% for a percent sign), got '" +
-            std::string(pattern) + "'");
+        throw InputError(fmt::format(
+            "expected a file name with exactly one frame number such as %04d (%% for a percent sign), got '{}'",
+            pattern));
     }
     return name;
 }

@@ -1,16 +1,10 @@
 #pragma once
 
-#include "scene/scene.h"
-
 #include <string>
 #include <string_view>
 
-/// Turntables: a camera a frame, a file a frame.
+/// Sequences: an angle and a file for each frame.
 namespace sandbox {
-
-/// `camera` turned by `degrees` about the axis through its target along its up vector, counter-clockwise seen from
-/// above. 0 gives the camera itself, to the last bit.
-Camera orbit_camera(const Camera &camera, double degrees);
 
 /// Frame `i` of `frames` of a turn of `degrees` in all: degrees * i / frames, so that a turn of 360 loops.
 double orbit_degrees(double degrees, int i, int frames);

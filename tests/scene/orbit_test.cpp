@@ -1,5 +1,5 @@
+#include "scene/orbit.h"
 #include "scene/space.h"
-#include "ui/views/orbit.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -126,6 +126,41 @@ TEST(Turntable, ACameraInItsTargetStaysThere) {
     camera.position = camera.target;
     EXPECT_EQ(orbited(camera, 10, 10), camera);
     EXPECT_EQ(dollied(camera, 2), camera);
+}
+
+// A few rounding errors of double in a product of coordinates near 10.
+void expect_at(glm::dvec3 a, glm::dvec3 b) { expect_near(a, b, 1e-13); }
+
+Camera camera_at(glm::dvec3 position) {
+    Camera camera;
+    camera.position = position;
+    camera.target = {1, 2, 3};
+    return camera;
+}
+
+TEST(Orbit, ZeroIsTheCameraItself) {
+    const Camera camera = camera_at({0.1, 0.7, 6.3});
+    EXPECT_EQ(orbit_camera(camera, 0), camera);
+}
+
+TEST(Orbit, AQuarterTurnIsCounterClockwiseSeenFromAbove) {
+    // From +z (towards the viewer) to +x, at the same height.
+    const Camera turned = orbit_camera(camera_at({1, 4, 8}), 90);
+    expect_at(turned.position, {6, 4, 3});
+    EXPECT_EQ(turned.target, glm::dvec3(1, 2, 3));
+    EXPECT_EQ(turned.up, glm::dvec3(0, 1, 0));
+}
+
+TEST(Orbit, HalfAndWholeTurns) {
+    expect_at(orbit_camera(camera_at({1, 4, 8}), 180).position, {1, 4, -2});
+    expect_at(orbit_camera(camera_at({1, 4, 8}), 360).position, {1, 4, 8});
+    expect_at(orbit_camera(camera_at({1, 4, 8}), -90).position, {-4, 4, 3});
+}
+
+TEST(Orbit, TurnsAboutTheCamerasOwnUpWhateverItsLength) {
+    Camera camera = camera_at({6, 2, 3});
+    camera.up = {0, 0, 20};
+    expect_at(orbit_camera(camera, 90).position, {1, 7, 3});
 }
 
 } // namespace

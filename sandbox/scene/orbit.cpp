@@ -1,5 +1,6 @@
-#include "ui/views/orbit.h"
+#include "scene/orbit.h"
 
+#include "scene/scene_format.h"
 #include "scene/space.h"
 
 #include <algorithm>
@@ -7,14 +8,19 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <numbers>
 
 namespace sandbox {
 
 namespace {
 
-constexpr double world_limit = 1e9; // coordinates of a scene file
+bool in_world(glm::dvec3 p) { return glm::all(glm::lessThanEqual(glm::abs(p), glm::dvec3(coordinate.high))); }
 
-bool in_world(glm::dvec3 p) { return glm::all(glm::lessThanEqual(glm::abs(p), glm::dvec3(world_limit))); }
+/// Rodrigues' rotation of `v` about the unit `axis`, right-handed.
+glm::dvec3 rotate_about(glm::dvec3 v, glm::dvec3 axis, double radians) {
+    const double c = std::cos(radians);
+    return v * c + glm::cross(axis, v) * std::sin(radians) + axis * (glm::dot(axis, v) * (1 - c));
+}
 
 /// An orthonormal frame with `up` as its axle; the two others depend on `up` alone, so that angles stay comparable.
 struct Turntable {
@@ -46,6 +52,17 @@ double kept_between_planes(const Camera &camera, double distance) {
 }
 
 } // namespace
+
+Camera orbit_camera(const Camera &camera, double degrees) {
+    if (degrees == 0) {
+        return camera;
+    }
+    Camera turned = camera;
+    const glm::dvec3 axis = glm::normalize(camera.up);
+    turned.position =
+        camera.target + rotate_about(camera.position - camera.target, axis, degrees * std::numbers::pi / 180);
+    return turned;
+}
 
 OrbitPose orbit_pose(const Camera &camera) {
     const glm::dvec3 offset = camera.position - camera.target;

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "ui/jobs/drawing_job.h"
+#include "ui/session/session.h"
+#include "ui/views/view_painter.h"
+
+#include <memory>
+
+namespace sandbox {
+
+/// The content of a tab of the bottom panel.
+class TabContent {
+  public:
+    TabContent() = default;
+    virtual ~TabContent() = default;
+    TabContent(const TabContent &) = delete;
+    TabContent &operator=(const TabContent &) = delete;
+
+    /// Into the current ImGui window, while the tab is open.
+    virtual void draw(Session &session, ViewPainter &painter) = 0;
+    /// Called whenever the window wakes up, also while the tab is closed: is there something new to draw?
+    virtual News take_news(Session &) { return News::none; }
+};
+
+struct BottomTab {
+    const char *title;
+    char key;         ///< opens and folds it
+    const char *hint; ///< what it shows
+    std::unique_ptr<TabContent> (*make)(const DrawingSupplies &);
+};
+
+std::unique_ptr<TabContent> error_time_tab(const DrawingSupplies &supplies);
+std::unique_ptr<TabContent> glsl_tab(const DrawingSupplies &supplies);
+std::unique_ptr<TabContent> stability_tab(const DrawingSupplies &supplies);
+
+/// From left to right. The panel, the menu, the keyboard and the list of keys read these rows.
+constexpr BottomTab bottom_tabs[] = {
+    {"Error vs run time", 'E', "How far every technique is from the truth, and how long it takes", error_time_tab},
+    {"GLSL", 'G', "The programs of A and B beside each other", glsl_tab},
+    {"Stability", 'S', "Stiff and extreme scenes, in which a textbook's formulas break", stability_tab},
+};
+
+} // namespace sandbox

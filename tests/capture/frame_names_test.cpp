@@ -1,0 +1,38 @@
+#include "capture/frame_names.h"
+
+#include "image/error.h"
+
+#include <gtest/gtest.h>
+
+namespace sandbox {
+namespace {
+
+TEST(Orbit, FramesDivideTheTurnSoThatItLoops) {
+    EXPECT_EQ(orbit_degrees(360, 0, 4), 0);
+    EXPECT_EQ(orbit_degrees(360, 3, 4), 270);
+    EXPECT_EQ(orbit_degrees(-90, 1, 2), -45);
+}
+
+TEST(FramePattern, OneIntegerConversion) {
+    EXPECT_EQ(frame_name("a_%04d.png", 7), "a_0007.png");
+    EXPECT_EQ(frame_name("a_%04d.png", 12345), "a_12345.png");
+    EXPECT_EQ(frame_name("%d.pfm", 0), "0.pfm");
+    EXPECT_EQ(frame_name("100%%_%02d.png", 3), "100%_03.png");
+}
+
+TEST(FramePattern, AnythingElseIsRefused) {
+    for (const char *pattern : {"a.png", "%d_%d.png", "%s.png", "%04x.png", "%4d.png", "%00d.png", "%010d.png",
+                                "%n%d.png", "%d%", "%%d.png", "%-4d.png", "%ld.png", "% d.png", "%"}) {
+        EXPECT_THROW(frame_name(pattern, 1), InputError) << pattern;
+    }
+}
+
+TEST(FramePattern, IsSeenInAName) {
+    EXPECT_TRUE(is_frame_pattern("a_%04d.png"));
+    EXPECT_TRUE(is_frame_pattern("%d"));
+    EXPECT_FALSE(is_frame_pattern("100%.png"));
+    EXPECT_FALSE(is_frame_pattern("%%d.png"));
+}
+
+} // namespace
+} // namespace sandbox
