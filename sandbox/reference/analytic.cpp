@@ -35,9 +35,9 @@ struct Ray {
 };
 
 /// Keeps the first of the hits offered to it.
-class First {
+class FirstHit {
   public:
-    explicit First(const Ray &ray) : ray_(ray) {}
+    explicit FirstHit(const Ray &ray) : ray_(ray) {}
     [[nodiscard]] bool wants(double s) const { return ray_.within(s) && (!hit_ || ray_.t(s) < hit_->t); }
     void take(double s, const glm::dvec3 &position, const glm::dvec3 &normal, const glm::dvec2 &uv, int part = 0) {
         hit_ = ShapeHit{ray_.t(s), position, normal, uv, part};
@@ -56,7 +56,7 @@ double turn(double x, double z) {
 }
 
 std::optional<ShapeHit> hit_shape(const SphereShape &sphere, const Ray &ray) {
-    First first(ray);
+    FirstHit first(ray);
     const double square = sphere.radius * sphere.radius - glm::dot(ray.origin, ray.origin);
     if (square < 0) {
         return {};
@@ -72,14 +72,14 @@ std::optional<ShapeHit> hit_shape(const SphereShape &sphere, const Ray &ray) {
 }
 
 /// A flat face `normal_axis` = height of the given half sizes; right and up give u and v as they grow along the axes.
-struct Flat {
+struct FlatFace {
     int normal_axis;
     double height;
     int right, up;
     double right_sign, up_sign;
 };
 
-void hit_flat(const Flat &face, const glm::dvec3 &size, const Ray &ray, int part, First &first) {
+void hit_flat(const FlatFace &face, const glm::dvec3 &size, const Ray &ray, int part, FirstHit &first) {
     const double s = (face.height - ray.origin[face.normal_axis]) / ray.direction[face.normal_axis];
     if (!std::isfinite(s) || !first.wants(s)) {
         return;
@@ -96,10 +96,10 @@ void hit_flat(const Flat &face, const glm::dvec3 &size, const Ray &ray, int part
 }
 
 std::optional<ShapeHit> hit_shape(const BoxShape &box, const Ray &ray) {
-    First first(ray);
+    FirstHit first(ray);
     const glm::dvec3 half = box.size / 2.0;
-    const Flat faces[] = {{0, half.x, 2, 1, -1, 1}, {0, -half.x, 2, 1, 1, 1}, {1, half.y, 0, 2, 1, -1},
-                          {1, -half.y, 0, 2, 1, 1}, {2, half.z, 0, 1, 1, 1},  {2, -half.z, 0, 1, -1, 1}};
+    const FlatFace faces[] = {{0, half.x, 2, 1, -1, 1}, {0, -half.x, 2, 1, 1, 1}, {1, half.y, 0, 2, 1, -1},
+                              {1, -half.y, 0, 2, 1, 1}, {2, half.z, 0, 1, 1, 1},  {2, -half.z, 0, 1, -1, 1}};
     for (int part = 0; part < 6; ++part) {
         hit_flat(faces[part], box.size, ray, part, first);
     }
@@ -107,12 +107,12 @@ std::optional<ShapeHit> hit_shape(const BoxShape &box, const Ray &ray) {
 }
 
 std::optional<ShapeHit> hit_shape(const PlaneShape &plane, const Ray &ray) {
-    First first(ray);
+    FirstHit first(ray);
     hit_flat({1, 0, 0, 2, 1, -1}, {plane.size.x, 1, plane.size.y}, ray, 0, first);
     return first.hit();
 }
 
-void hit_cap(const CylinderShape &cylinder, double sign, const Ray &ray, First &first) {
+void hit_cap(const CylinderShape &cylinder, double sign, const Ray &ray, FirstHit &first) {
     const double y = sign * cylinder.height / 2;
     const double s = (y - ray.origin.y) / ray.direction.y;
     if (!std::isfinite(s) || !first.wants(s)) {
@@ -127,7 +127,7 @@ void hit_cap(const CylinderShape &cylinder, double sign, const Ray &ray, First &
 }
 
 std::optional<ShapeHit> hit_shape(const CylinderShape &cylinder, const Ray &ray) {
-    First first(ray);
+    FirstHit first(ray);
     const glm::dvec2 o(ray.origin.x, ray.origin.z);
     const glm::dvec2 d(ray.direction.x, ray.direction.z);
     const double dd = glm::dot(d, d);
@@ -154,7 +154,7 @@ std::optional<ShapeHit> hit_shape(const CylinderShape &cylinder, const Ray &ray)
 
 /// (|p|^2 + R^2 - r^2)^2 = 4 R^2 (x^2 + z^2), a quartic in s that has no cubic term since origin . direction = 0.
 std::optional<ShapeHit> hit_shape(const TorusShape &torus, const Ray &ray) {
-    First first(ray);
+    FirstHit first(ray);
     const double rim = torus.radius * torus.radius;
     const double reach = torus.radius + torus.tube_radius;
     const double nearest = glm::dot(ray.origin, ray.origin);

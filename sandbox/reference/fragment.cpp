@@ -28,13 +28,10 @@ glm::dvec3 unit_or(const glm::dvec3 &v, const glm::dvec3 &otherwise) {
 
 Fragment::Fragment(const MeshScene &scene, const Hit &hit, double x, double y)
     : Sampler(scene.setup, *scene.objects[hit.object - 1].object), mesh_(scene.objects[hit.object - 1]),
-      raster_(scene.raster[hit.object - 1]), triangle_index_(hit.triangle),
-      triangle_((*raster_.triangles)[hit.triangle]), x_(x), y_(y), here_(point_at(0, 0)) {}
+      on_screen_(scene.raster[hit.object - 1].triangle(hit.triangle)), triangle_index_(hit.triangle),
+      triangle_(mesh_.mesh->triangles[hit.triangle]), x_(x), y_(y), here_(point_at(0, 0)) {}
 
-glm::dvec3 Fragment::weights(double dx, double dy) const {
-    const std::vector<Corner> &corners = raster_.corners;
-    return weights_at(corners[triangle_.x], corners[triangle_.y], corners[triangle_.z], x_ + dx, y_ + dy);
-}
+glm::dvec3 Fragment::weights(double dx, double dy) const { return weights_at(on_screen_, x_ + dx, y_ + dy); }
 
 SurfacePoint Fragment::point_at(double dx, double dy) const {
     SurfacePoint point;
@@ -191,8 +188,6 @@ bool Fragment::unstable() const {
     return jumps(Terms::all);
 }
 
-bool Fragment::at_edge() const {
-    return near_edge(raster_.corners[triangle_.x], raster_.corners[triangle_.y], raster_.corners[triangle_.z], x_, y_);
-}
+bool Fragment::at_edge() const { return near_edge(on_screen_, x_, y_); }
 
 } // namespace sandbox::reference

@@ -35,7 +35,7 @@ class Fragment : public Sampler {
     [[nodiscard]] LightVectors interpolated_vectors(const SurfacePoint &point, std::size_t light) const;
 
     const MeshObject &mesh_;
-    const RasterObject &raster_;
+    Triangle on_screen_;
     std::size_t triangle_index_;
     glm::uvec3 triangle_;
     double x_, y_;

@@ -3,8 +3,10 @@
 #include "image/image.h"
 #include "scene/mesh.h"
 
+#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,6 +22,7 @@ constexpr double edge_width = 1.0 / 128;
 /// A vertex in homogeneous pixels: (x w, y w, w) with x to the right, y down from the top-left corner, w the distance
 /// along the camera's axis (negative behind it).
 using Corner = glm::dvec3;
+using Triangle = std::array<Corner, 3>;
 
 /// The mesh of one object as the camera sees it.
 struct RasterObject {
@@ -28,6 +31,8 @@ struct RasterObject {
     /// Which triangles cannot be seen, being the inside of what is closed, whatever the depth buffer resolves: those
     /// whose corners run clockwise on the screen (1), counter-clockwise (-1), none (0).
     int hidden = 0;
+
+    [[nodiscard]] Triangle triangle(std::size_t index) const;
 };
 
 /// What the centre of one pixel sees.
@@ -40,10 +45,10 @@ struct Hit {
 };
 
 /// Perspective-correct weights of a triangle's corners at the point (x, y) in pixels; they sum to 1.
-glm::dvec3 weights_at(const Corner &a, const Corner &b, const Corner &c, double x, double y);
+glm::dvec3 weights_at(const Triangle &triangle, double x, double y);
 
 /// True if the point lies within edge_width of one of the triangle's edges (the lines through its corners).
-bool near_edge(const Corner &a, const Corner &b, const Corner &c, double x, double y);
+bool near_edge(const Triangle &triangle, double x, double y);
 
 /// Draws in object order, then triangle order; the nearer wins, the first drawn on a tie. Edges follow the top-left
 /// rule, so that triangles that share an edge cover each pixel once.
@@ -56,7 +61,6 @@ class Rasteriser {
     [[nodiscard]] std::size_t bands() const { return bins_.size(); }
     [[nodiscard]] std::size_t band_of(int row) const;
     [[nodiscard]] int first_row(std::size_t band) const;
-    [[nodiscard]] int end_row(std::size_t band) const;
     /// All pixels of a band, row by row.
     [[nodiscard]] std::vector<Hit> draw(std::size_t band) const;
 
@@ -68,11 +72,12 @@ class Rasteriser {
         std::uint32_t object;
         std::uint32_t triangle;
     };
+    /// Pixels, both ends included.
     struct Box {
-        double left, right, top, bottom;
+        int left, right, top, bottom;
     };
-    [[nodiscard]] bool bounds(const Corner &a, const Corner &b, const Corner &c, Box &box) const;
-    void draw_triangle(const Entry &entry, int first_row, int end_row, std::span<Hit> hits) const;
+    [[nodiscard]] std::optional<Box> bounds(const Triangle &triangle) const;
+    void draw_triangle(const Entry &entry, int first_row, std::span<Hit> hits) const;
 
     const std::vector<RasterObject> &objects_;
     Size size_;

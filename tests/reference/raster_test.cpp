@@ -116,20 +116,18 @@ TEST(Raster, TrianglesThatReachBehindTheEyeAreSeenInFrontOnly) {
 
 TEST(Raster, WeightsArePerspectiveCorrect) {
     // Halfway on the screen between w = 1 and w = 3 lies a quarter of the way along the edge.
-    const glm::dvec3 w = weights_at(pixel(0, 0, 1), pixel(10, 0, 3), pixel(0, 10, 1), 5, 0);
+    const glm::dvec3 w = weights_at({pixel(0, 0, 1), pixel(10, 0, 3), pixel(0, 10, 1)}, 5, 0);
     EXPECT_NEAR(w.x, 0.75, 1e-15);
     EXPECT_NEAR(w.y, 0.25, 1e-15);
     EXPECT_NEAR(w.z, 0, 1e-15);
 }
 
 TEST(Raster, EdgesAreTold) {
-    const Corner a = pixel(0, 0);
-    const Corner b = pixel(10, 0, 4);
-    const Corner c = pixel(0, 10, 2);
-    EXPECT_FALSE(near_edge(a, b, c, 3, 3));
-    EXPECT_FALSE(near_edge(a, b, c, 3, 0.0079));
-    EXPECT_TRUE(near_edge(a, b, c, 3, 0.0077)); // 1/128 = 0.0078125
-    EXPECT_TRUE(near_edge(a, b, c, 5, 5.005));
+    const Triangle t{pixel(0, 0), pixel(10, 0, 4), pixel(0, 10, 2)};
+    EXPECT_FALSE(near_edge(t, 3, 3));
+    EXPECT_FALSE(near_edge(t, 3, 0.0079));
+    EXPECT_TRUE(near_edge(t, 3, 0.0077)); // 1/128 = 0.0078125
+    EXPECT_TRUE(near_edge(t, 5, 5.005));
 }
 
 TEST(Raster, ANearerNeighbourThatJustMissesIsTold) {

@@ -139,8 +139,7 @@ Frame textbook_picture(const Scene &scene, const std::vector<ObjectResources> &r
             const int y = rasteriser.first_row(band) + static_cast<int>(i) / size.width;
             const auto &raster = meshes.raster[hit.object - 1];
             const glm::uvec3 &t = (*raster.triangles)[hit.triangle];
-            const glm::vec3 weights(
-                reference::weights_at(raster.corners[t.x], raster.corners[t.y], raster.corners[t.z], x + 0.5, y + 0.5));
+            const glm::vec3 weights(reference::weights_at(raster.triangle(hit.triangle), x + 0.5, y + 0.5));
             const std::size_t pixel = frame.color.index(x, y);
             frame.color.pixels[pixel] = glm::vec4(textbook.color(hit, t, weights), 1);
             frame.object_ids[pixel] = hit.object;

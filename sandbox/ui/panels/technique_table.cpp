@@ -46,6 +46,15 @@ void side_cell(Session &session, const TechniqueKey &key, int value, bool right)
     ImGui::PopID();
 }
 
+/// Quiet text beside the label, or under it where the column is too narrow.
+void remark(const char *text) {
+    ImGui::SameLine();
+    if (ImGui::GetContentRegionAvail().x < ImGui::CalcTextSize(text).x) {
+        ImGui::NewLine();
+    }
+    ImGui::TextColored(quiet_text(), "%s", text);
+}
+
 void label_cell(Session &session, const TechniqueKey &key, int value, bool effect) {
     const Document &document = session.document;
     ImGui::AlignTextToFramePadding();
@@ -54,7 +63,7 @@ void label_cell(Session &session, const TechniqueKey &key, int value, bool effec
     hint_for_item(session, value_hint(key, value));
     const bool set = key.get(document.left) == value || key.get(document.right) == value;
     if (!effect) {
-        wrapped_text(quiet_text(), "no effect here");
+        remark("no effect here");
     } else if (set && key.kind != TechniqueKey::Kind::choice) {
         wrapped_text(quiet_text(), std::string(key.values[static_cast<std::size_t>(value)].look_for));
     }
