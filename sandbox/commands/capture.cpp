@@ -6,7 +6,7 @@
 #include "commands/progress_bar.h"
 #include "commands/session.h"
 #include "image/image_file.h"
-#include "measure/stability/stability.h"
+#include "measure/stability/textbook.h"
 #include "scene/orbit.h"
 
 #include <cmath>

@@ -5,6 +5,7 @@
 #include "measure/metrics/metrics.h"
 
 #include <cmath>
+#include <fmt/format.h>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -27,8 +28,8 @@ bool is_reference(std::string_view text) {
            (text.size() == reference_word.size() || text[reference_word.size()] == ':');
 }
 
-/// `reference[:key=value,...]`: the left model, per-pixel, every fault off, then what the keys change. Beside the
-/// technique's keys: frequency and model.
+/// `reference[:key=value,...]`: the model of the left technique, per-pixel, every fault off, then what the keys change.
+/// frequency and model count as keys, too.
 Technique reference_technique(Technique left, std::string_view text) {
     std::string frequency = "per-pixel";
     std::string model = to_string(Technique{.model = left.model}).substr(frequency.size() + 1);
@@ -44,7 +45,7 @@ Technique reference_technique(Technique left, std::string_view text) {
             others += (others.empty() ? ":" : ",") + setting;
         }
     }
-    return parse_technique(frequency + "/" + model + others);
+    return parse_technique(fmt::format("{}/{}{}", frequency, model, others));
 }
 
 struct Comparison {
@@ -67,53 +68,48 @@ Comparison compare_to_reference(const Frame &left, const Scene &scene, const Tec
     return comparison;
 }
 
-/// The contract's keys first.
+/// Every metric, then the worst pixel: what the table and the JSON show, in their order.
 nlohmann::ordered_json figures(const Comparison &comparison, Size size) {
-    const Metrics &m = comparison.metrics;
     const auto width = static_cast<std::size_t>(size.width);
-    return {{"rmse", m.norms.rmse},
-            {"mean_abs", m.norms.mean_abs},
-            {"max_abs", m.norms.max_abs},
-            {"p99_abs", m.norms.p99_abs},
-            {"psnr", m.psnr ? nlohmann::ordered_json(*m.psnr) : nlohmann::ordered_json()},
-            {"flip", m.flip},
-            {"max_levels", m.max_levels},
-            {"differing_share", m.differing_share},
-            {"compared_pixels", m.compared_pixels},
-            {"silhouette_pixels", m.silhouette_pixels},
-            {"edge_pixels", m.edge_pixels},
-            {"jump_pixels", m.jump_pixels},
-            {"nonfinite_pixels", m.nonfinite_pixels},
-            {"worst_pixel", {m.worst_pixel % width, m.worst_pixel / width}},
-            {"worst_pixel_rounding", comparison.worst_pixel_rounding}};
-}
-
-std::string short_number(double value) {
-    std::ostringstream text;
-    text << value;
-    return text.str();
+    const std::size_t worst = comparison.metrics.worst_pixel;
+    nlohmann::ordered_json json;
+    for_each_metric(comparison.metrics, [&](const auto &metric, const auto &measured) {
+        json[metric.name] = quantity_json<nlohmann::ordered_json>(metric, measured);
+    });
+    json["worst_pixel"] = {worst % width, worst / width};
+    json["worst_pixel_rounding"] = comparison.worst_pixel_rounding;
+    return json;
 }
 
 std::string human_table(const nlohmann::ordered_json &figures) {
     std::string table;
     for (const auto &[key, value] : figures.items()) {
-        const std::string text = value.is_number_float() ? short_number(value.get<double>())
+        const std::string text = value.is_number_float() ? fmt::format("{:g}", value.get<double>())
                                  : value.is_null()       ? "infinite"
                                  : value.is_string()     ? value.get<std::string>()
                                                          : value.dump();
-        table.append(key).append(22 - key.size(), ' ').append(text).append("\n");
+        table += fmt::format("{:<22}{}\n", key, text);
     }
     return table;
 }
 
-/// --max-abs: a comparison of nothing proves nothing.
+/// One line a metric, for the help.
+std::string metric_lines() {
+    std::string lines;
+    for_each_metric(Metrics{}, [&](const auto &metric, const auto &) {
+        lines += fmt::format("  {:<22}{} ({})\n", metric.name, metric.meaning, metric.unit);
+    });
+    return lines;
+}
+
+/// Checks --max-abs. A comparison of no pixels fails: it proves nothing.
 bool within(const Metrics &metrics, double bound) {
     if (metrics.compared_pixels == 0) {
         note("--max-abs: no pixel could be compared");
         return false;
     }
     if (!(metrics.norms.max_abs <= bound)) {
-        note("max_abs " + short_number(metrics.norms.max_abs) + " is above " + short_number(bound));
+        note(fmt::format("max_abs {:g} is above {:g}", metrics.norms.max_abs, bound));
         return false;
     }
     return true;
@@ -149,25 +145,26 @@ int run_compare(const CompareFlags &flags, const CommonOptions &common) {
 } // namespace
 
 void add_compare(CLI::App &app, CommonOptions &common, Run &run) {
-    CLI::App *command = app.add_subcommand("compare", "How far one picture of a scene is from another, in numbers");
+    CLI::App *command = app.add_subcommand("compare", "Measure how far one picture of a scene is from another");
     auto flags = std::make_shared<CompareFlags>();
     command->add_option("SCENE", flags->scene, "Built-in name, .json or .obj")->type_name("")->required();
-    command->add_option("--left", flags->left, "The technique that is judged")->type_name("T")->required();
-    command->add_option("--right", flags->right, "What it is judged against")
+    command->add_option("--left", flags->left, "Technique to judge")->type_name("T")->required();
+    command->add_option("--right", flags->right, "Technique, or reference, to judge it against")
         ->type_name("T|reference[:key=value,...]")
         ->required();
-    command->add_option("--size", flags->size, "Of both pictures")->type_name("WxH")->capture_default_str();
-    command->add_option("--view", flags->view, "One of the scene's named views")->type_name("NAME");
-    command->add_flag("--json", flags->json, "As JSON; infinite figures are null");
+    command->add_option("--size", flags->size, "Size of both pictures")->type_name("WxH")->capture_default_str();
+    command->add_option("--view", flags->view, "Named view of the scene")->type_name("NAME");
+    command->add_flag("--json", flags->json, "Print JSON; infinite figures are null");
     command->add_option("--max-abs", flags->max_abs, "Exit 1 if max_abs is above this")->type_name("X");
     command->footer(
-        "reference: the left model, per-pixel, every fault off, in double; keys change that (frequency and\n"
-        "model too). Compared are the pixels where both show the same object, but for those at an edge between\n"
-        "triangles or a jump of the equation in the reference (counted apart), in linear RGB. psnr has peak 1,\n"
-        "null where nothing differs; flip is of the whole picture in 8 bits. A picture with a pixel that is not\n"
-        "finite has infinite errors. worst_pixel is where max_abs is, or the first pixel that is not finite;\n"
-        "worst_pixel_rounding, how far the reference's colour moves there when float32 rounds the triangle's\n"
-        "place in the window, which no float32 renderer can promise to beat.");
+        "reference: the model of the left technique, per-pixel, every fault off, in double precision; keys of a\n"
+        "technique, frequency and model change that. Errors use the pixels where both pictures show the\n"
+        "same object, except those at an edge between triangles or at a jump of the equation in the\n"
+        "reference. If a pixel is not finite, all errors are infinite. Figures, with their units:\n" +
+        metric_lines() +
+        "  worst_pixel           where max_abs is, or the first pixel that is not finite (x, y)\n"
+        "  worst_pixel_rounding  how far the reference's colour moves there when float32 rounds the\n"
+        "                        corners of the triangle: no float32 renderer can promise less");
     add_common_options(*command, common);
     command->callback([flags, &common, &run] { run = [flags, &common] { return run_compare(*flags, common); }; });
 }

@@ -26,12 +26,13 @@ int run_reference(const ReferenceFlags &flags, const CommonOptions &common) {
     const Scene scene = open_scene(common, flags.scene, flags.view);
     const std::vector<ObjectResources> resources = Resources(scene_assets(common)).load(scene);
     ProgressBar bar("reference " + flags.out.filename().string());
-    const ReferenceFrame truth =
-        render_reference(scene, resources, technique, size,
-                         flags.surface == "analytic" ? Surface::analytic : Surface::mesh, [&](double share) {
-                             bar.report(share);
-                             return true;
-                         });
+    const ReferenceFrame truth = with_flag("--surface " + flags.surface, [&] {
+        return render_reference(scene, resources, technique, size,
+                                flags.surface == "analytic" ? Surface::analytic : Surface::mesh, [&](double share) {
+                                    bar.report(share);
+                                    return true;
+                                });
+    });
     const Image picture = to_frame(truth).color;
     write_output(flags.out, pfm ? encode_pfm(picture) : encode_png(to_display(picture)));
     if (common.verbose) {

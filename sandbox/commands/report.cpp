@@ -4,9 +4,10 @@
 #include "commands/progress_bar.h"
 #include "commands/session.h"
 #include "image/image_file.h"
-#include "measure/drawn_by.h"
-#include "measure/report/pictures.h"
 #include "measure/report/report.h"
+#include "measure/report/report_csv.h"
+#include "measure/report/report_html.h"
+#include "measure/report/report_json.h"
 #include "render/frame_clock.h"
 
 #include <atomic>
@@ -27,7 +28,7 @@ struct ReportFlags {
     bool quick = false;
 };
 
-/// The first Ctrl-C stops the measuring, what was measured is written; the second ends at once.
+/// The first Ctrl-C stops the measuring, and the report is written; the second ends the program at once.
 std::atomic<bool> stopped{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may touch nothing else");
 
@@ -101,29 +102,30 @@ int run_report(const ReportFlags &flags, const CommonOptions &common) {
 } // namespace
 
 void add_report(CLI::App &app, CommonOptions &common, Run &run) {
-    CLI::App *command = app.add_subcommand("report", "Error against run time: report.html, report.json, report.csv");
+    CLI::App *command =
+        app.add_subcommand("report", "Measure error against run time: report.html, report.json, report.csv");
     auto flags = std::make_shared<ReportFlags>();
     command->add_option("SCENE", flags->scene, "Built-in name, .json or .obj")->type_name("");
-    command->add_option("--out", flags->out, "The folder that the three files go to; made if there is none")
+    command->add_option("--out", flags->out, "Folder for the three files; made if it does not exist")
         ->type_name("DIR")
         ->required();
-    command->add_option("--size", flags->size, "Of every picture [640x480; --quick 320x240]")->type_name("WxH");
-    command->add_option("--repeats", flags->repeats, "Timed rounds [21; --quick 5]")
+    command->add_option("--size", flags->size, "Size of every picture [640x480; --quick 320x240]")->type_name("WxH");
+    command->add_option("--repeats", flags->repeats, "Number of timed rounds [21; --quick 5]")
         ->type_name("N")
         ->check(CLI::Range(1, 10000));
-    command->add_option("--view", flags->view, "One of the scene's named views")->type_name("NAME");
-    command->add_flag("--quick", flags->quick, "An overview within a minute: small pictures, ladder up to 64 rings");
+    command->add_option("--view", flags->view, "Named view of the scene")->type_name("NAME");
+    command->add_flag("--quick", flags->quick, "Overview within a minute: small pictures, ladder up to 64 rings");
     command
         ->add_option("--merge", flags->merge,
-                     "Put the runs of earlier report.json files beside this one, or,\n"
+                     "Show the runs of earlier report.json files beside this one, or,\n"
                      "without SCENE, beside each other")
         ->type_name("A.json B.json");
     command->footer(
-        "Every frequency and model on a ladder of tessellations (8 to 512 rings; --quick 8 to 64), variants on\n"
-        "the scene's own meshes, each judged against the double-precision truth and timed in turns, after 4\n"
-        "rounds that are dropped. The clock is the GPU's timer where a long draw has shown that it agrees with\n"
-        "the wall clock, else the wall clock around draw and glFinish. Ctrl-C stops the measuring and writes\n"
-        "what there is (exit code 130); a second one ends at once.");
+        "Draws every frequency and model on a ladder of tessellations (8 to 512 rings; --quick 8 to 64) and variants\n"
+        "on the scene's own meshes, judges each against the double-precision truth, and times all of them in\n"
+        "turns, after 4 rounds that are dropped. The clock is the GPU's timer if a long draw shows that it agrees\n"
+        "with the wall clock, else the wall clock around draw and glFinish. Ctrl-C stops the measuring and writes\n"
+        "what there is (exit code 130); a second Ctrl-C ends at once.");
     add_common_options(*command, common);
     command->callback([flags, &common, &run] { run = [flags, &common] { return run_report(*flags, common); }; });
 }

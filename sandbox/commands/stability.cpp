@@ -3,7 +3,7 @@
 #include "commands/interrupt.h"
 #include "commands/progress_bar.h"
 #include "commands/session.h"
-#include "measure/drawn_by.h"
+#include "measure/report/stability_report.h"
 
 #include <memory>
 
@@ -51,10 +51,10 @@ int run_stability(const StabilityFlags &flags, const CommonOptions &common) {
 } // namespace
 
 void add_stability(CLI::App &app, CommonOptions &common, Run &run) {
-    CLI::App *command =
-        app.add_subcommand("stability", "The stiff and extreme cases: stability.html, stability.json, stability.csv");
+    CLI::App *command = app.add_subcommand(
+        "stability", "Run the stiff and extreme cases: stability.html, stability.json, stability.csv");
     auto flags = std::make_shared<StabilityFlags>();
-    command->add_option("--out", flags->out, "The folder that the three files go to; made if there is none")
+    command->add_option("--out", flags->out, "Folder for the three files; made if it does not exist")
         ->type_name("DIR")
         ->required();
     command->add_option("--case", flags->chosen, "Only this built-in case (see: list), or the case in a file")

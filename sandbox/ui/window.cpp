@@ -2,7 +2,7 @@
 
 #include "capture/sidecar.h"
 #include "image/image_file.h"
-#include "measure/stability/stability.h"
+#include "measure/stability/textbook.h"
 #include "render/context.h"
 #include "render/window_surface.h"
 #include "scene/scene_file.h"

@@ -1,4 +1,4 @@
-#include "measure/stability/stability.h"
+#include "measure/report/stability_report.h"
 
 #include "render/renderer.h"
 #include "tools/gl_test.h"

@@ -1,4 +1,5 @@
 #include "measure/stability/stability.h"
+#include "measure/stability/textbook.h"
 
 #include "image/error.h"
 #include "reference/reference.h"

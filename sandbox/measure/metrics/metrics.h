@@ -1,6 +1,7 @@
 #pragma once
 
 #include "image/image.h"
+#include "measure/metrics/quantity.h"
 #include "reference/reference.h"
 
 #include <cstddef>
@@ -18,7 +19,15 @@ struct Norms {
     double p99_abs = 0; ///< the smallest value that 99 % of the channels' differences do not exceed
 };
 
-/// The figures of `compare`. Compared are the pixels where both pictures show the same object, except those at an edge
+constexpr std::string_view linear_color = "linear colour";
+inline constexpr Quantity<Norms> norm_quantities[]{
+    {"rmse", "RMSE", linear_color, "root mean square error", &Norms::rmse},
+    {"mean_abs", "mean", linear_color, "mean error", &Norms::mean_abs},
+    {"max_abs", "largest", linear_color, "largest error", &Norms::max_abs},
+    {"p99_abs", "99th percentile", linear_color, "99th percentile of the error", &Norms::p99_abs},
+};
+
+/// The figures of `compare`: errors over the pixels where both pictures show the same object, except those at an edge
 /// or at a jump of the reference; the rest is counted apart. Background is never compared.
 struct Metrics {
     std::size_t nonfinite_pixels = 0; ///< in either picture, background included; anything above 0 is a failure
@@ -34,6 +43,28 @@ struct Metrics {
     double differing_share = 0; ///< share of the compared pixels that differ by a level or more
     double flip = 0;            ///< mean LDR FLIP of the whole pictures in 8 bits, linear display
 };
+
+/// Beside the norms.
+inline constexpr Quantity<Metrics> metric_quantities[]{
+    {"psnr", "", "dB", "peak signal-to-noise ratio, peak 1; none where nothing differs", &Metrics::psnr},
+    {"flip", "", "0 to 1", "mean FLIP of the whole pictures in 8 bits", &Metrics::flip, true},
+    {"max_levels", "levels", "8-bit levels", "largest difference in 8 bits", &Metrics::max_levels},
+    {"differing_share", "", "0 to 1", "share of the compared pixels that differ in 8 bits", &Metrics::differing_share},
+    {"compared_pixels", "", "pixels", "pixels that count", &Metrics::compared_pixels},
+    {"silhouette_pixels", "silhou&shy;ettes", "pixels", "left out: different objects", &Metrics::silhouette_pixels},
+    {"edge_pixels", "edges", "pixels", "left out: at an edge between triangles", &Metrics::edge_pixels},
+    {"jump_pixels", "jumps", "pixels", "left out: at a jump of the equation", &Metrics::jump_pixels},
+    {"nonfinite_pixels", "not finite", "pixels", "NaN or infinite in either picture", &Metrics::nonfinite_pixels},
+};
+/// Calls `visit(row, its struct)` for every number, the norms first.
+template <class M, class Visit> void for_each_metric(M &&metrics, Visit visit) {
+    for (const Quantity<Norms> &norm : norm_quantities) {
+        visit(norm, metrics.norms);
+    }
+    for (const Quantity<Metrics> &metric : metric_quantities) {
+        visit(metric, metrics);
+    }
+}
 
 /// FLIP costs more than all the rest together; left out, it is 0.
 enum class Flip { with, without };
@@ -52,6 +83,25 @@ struct ErrorSplit {
     Norms arithmetic;              ///< the float32 picture against the same technique in double
     Norms quantisation;            ///< the float32 picture, clamped to [0, 1], against its 8-bit levels
 };
+struct ErrorPart {
+    std::string_view name;    ///< its key in JSON, the beginning of its columns in CSV
+    std::string_view heading; ///< of its column on a page
+    std::string_view meaning;
+    std::variant<Norms ErrorSplit::*, std::optional<Norms> ErrorSplit::*> member;
+
+    [[nodiscard]] std::optional<Norms> norms(const ErrorSplit &split) const {
+        return std::visit([&](auto pointer) -> std::optional<Norms> { return split.*pointer; }, member);
+    }
+    /// As tables show it: 0 where there is no such part.
+    [[nodiscard]] double rmse(const ErrorSplit &split) const { return norms(split).value_or(Norms{}).rmse; }
+};
+inline constexpr ErrorPart error_parts[]{
+    {"interpolation", "interpo&shy;lation", "interpolation", &ErrorSplit::interpolation},
+    {"geometry", "geo&shy;metry", "geometry", &ErrorSplit::geometry},
+    {"arithmetic", "arith&shy;metic", "float32 arithmetic", &ErrorSplit::arithmetic},
+    {"quantisation", "quanti&shy;sation", "8-bit quantisation", &ErrorSplit::quantisation},
+};
+
 /// `geometry`, if given, is what an earlier call with the same last two pictures found, and is not found again.
 ErrorSplit split_error(const Frame &drawn, const ReferenceFrame &technique, const ReferenceFrame &per_pixel,
                        const ReferenceFrame *analytic, const std::optional<Norms> &geometry = {});

@@ -1,50 +1,136 @@
-#include "measure/report/report.h"
+#include "measure/report/html.h"
 
-#include "measure/report/page.h"
-#include "measure/report/text.h"
+#include "image/image_file.h"
+#include "scene/assets.h"
 
-namespace sandbox {
-namespace {
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
 
-using namespace report_page;
+namespace sandbox::html {
 
-std::string run_html(const ReportRun &run) {
-    return summary(run) + pictures(run) + error_against_time(run) + cheapest_rows(run) + order_ladder(run) +
-           error_split(run) + claims(run) + specialisation(run) + power(run) + all_rows(run) + method(run);
+std::string escaped(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
+        switch (c) {
+        case '&':
+            out += "&amp;";
+            break;
+        case '<':
+            out += "&lt;";
+            break;
+        case '>':
+            out += "&gt;";
+            break;
+        case '"':
+            out += "&quot;";
+            break;
+        default:
+            out += c;
+        }
+    }
+    return out;
 }
 
-std::string heading(const ReportRun &run) {
-    const WorkPrecision &m = run.measured;
-    std::string html = "<header><p class=\"kicker\">Error against run time</p><h1>" + escaped(m.scene.name) + "</h1>";
-    html += m.scene.description.empty() ? "" : "<p class=\"lead\">" + escaped(m.scene.description) + "</p>";
-    html += "<p class=\"facts\">" + std::to_string(m.options.size.width) + " &times; " +
-            std::to_string(m.options.size.height) + " pixels &middot; " + escaped(run.machine.renderer) +
-            " &middot; Shading Sandbox " + escaped(run.version) + " &middot; " + escaped(run.date) + " UTC</p>";
-    if (!m.finished) {
-        html += "<p class=\"warning\">Incomplete: the measuring was stopped. What had been measured is here.</p>";
+std::string base64(std::string_view bytes) {
+    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string out;
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+        unsigned triple = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            triple = triple << 8 | (k < count ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+        }
+        for (std::size_t k = 0; k < 4; ++k) {
+            out += k <= count ? digits[triple >> (18 - 6 * k) & 63U] : '=';
+        }
     }
-    if (run.quick) {
-        html += "<p class=\"note\">A quick overview: " + std::to_string(m.options.repeats) +
-                " timed rounds. For figures to quote, run the report without --quick.</p>";
-    }
-    return html + "</header>\n";
+    return out;
 }
 
-} // namespace
-
-std::string report_html(const std::vector<ReportRun> &runs) {
-    std::string title = runs.empty() ? "Report" : escaped(runs[0].measured.scene.name) + ": error against run time";
-    std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-                       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-                       "<meta name=\"color-scheme\" content=\"light dark\">\n<title>" +
-                       title + "</title>\n<style>\n" + style + "</style>\n</head>\n<body>\n<main>\n";
-    if (runs.size() > 1) {
-        html += comparison(runs);
-    }
-    for (const ReportRun &run : runs) {
-        html += heading(run) + run_html(run);
-    }
-    return html + "</main>\n<script>\n" + script + "</script>\n</body>\n</html>\n";
+void Table::text(std::string_view html, std::string_view style) {
+    rows_.back().push_back({fmt::format(R"(<td class="{}">{}</td>)", style, html), false});
 }
 
-} // namespace sandbox
+void Table::number(double value, std::string_view html, std::string_view style) {
+    const double key = std::isfinite(value) ? value : 1e300;
+    rows_.back().push_back({fmt::format(R"(<td class="n {}" data-v="{:.9g}">{}</td>)", style, key, html), true});
+}
+
+void Table::rest(std::string_view html, std::string_view style) {
+    const std::size_t columns = heads_.size() - rows_.back().size();
+    rows_.back().push_back({fmt::format(R"(<td class="{}" colspan="{}">{}</td>)", style, columns, html), false});
+}
+
+std::string Table::html() const {
+    std::string head, body;
+    for (std::size_t i = 0; i < heads_.size(); ++i) {
+        const bool number =
+            std::ranges::any_of(rows_, [i](const auto &row) { return i < row.size() && row[i].number; });
+        head += fmt::format("<th{}>{}</th>", number ? " class=\"n\"" : "", heads_[i]);
+    }
+    for (const auto &row : rows_) {
+        body += "<tr>";
+        for (const Cell &cell : row) {
+            body += cell.html;
+        }
+        body += "</tr>\n";
+    }
+    const std::string caption = caption_.empty() ? "" : fmt::format("<caption>{}</caption>", caption_);
+    return rows_.empty() ? ""
+                         : fmt::format("<div class=\"scroll\"><table>{}<thead><tr>{}</tr></thead>\n<tbody>{}</tbody>"
+                                       "</table></div>\n",
+                                       caption, head, body);
+}
+
+std::string page(std::string_view title, std::string_view body) {
+    const Assets assets("assets");
+    return fmt::format(R"(<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="light dark">
+<title>{}</title>
+<style>
+{}</style>
+</head>
+<body>
+<main>
+{}</main>
+<script>
+{}</script>
+</body>
+</html>
+)",
+                       escaped(title), assets.read("page/style.css").value_or(""), body,
+                       assets.read("page/script.js").value_or(""));
+}
+
+std::string section(std::string_view style, std::string_view title, std::string_view lead, std::string_view body) {
+    return body.empty()
+               ? ""
+               : fmt::format("<section class=\"{}\"><h2>{}</h2>\n<p>{}</p>\n{}</section>\n", style, title, lead, body);
+}
+
+std::string card(std::string_view top, std::string_view big, std::string_view below, bool words) {
+    return fmt::format("<div class=\"card\"><span class=\"top\">{}</span><b class=\"{}\">{}</b><span>{}</span></div>\n",
+                       top, words ? "words" : "", big, below);
+}
+
+std::string figure(std::string_view title, std::string_view caption, std::string_view number, const ByteImage &image) {
+    return fmt::format("<figure><img alt=\"{0}: {1} {2}\" src=\"data:image/png;base64,{3}\"><figcaption><b>{0}</b>{1} "
+                       "<span class=\"together\">{2}</span></figcaption></figure>\n",
+                       escaped(title), escaped(caption), escaped(number), base64(encode_png(image)));
+}
+
+std::string technique_code(const Technique &technique) {
+    return fmt::format("<code>{}</code>", escaped(to_string(technique)));
+}
+
+std::string ratio_text(const TimeRatio &ratio) {
+    return fmt::format(R"({:.2f} <span class="q">[{:.2f}, {:.2f}]</span>)", ratio.median, ratio.lower_quartile,
+                       ratio.upper_quartile);
+}
+
+} // namespace sandbox::html

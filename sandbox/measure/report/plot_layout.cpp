@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <fmt/format.h>
 #include <limits>
 
 namespace sandbox {
@@ -35,7 +35,7 @@ class Axis {
     [[nodiscard]] bool holds(double value) const {
         return takes(value) && inner(value) >= low_ && inner(value) <= high_;
     }
-    [[nodiscard]] double place(double value) const {
+    [[nodiscard]] double position(double value) const {
         return first_ + (last_ - first_) * (inner(value) - low_) / (high_ - low_);
     }
     [[nodiscard]] std::vector<PlotTick> ticks() const {
@@ -46,7 +46,7 @@ class Axis {
         std::vector<PlotTick> out;
         for (const double value : values) {
             if (holds(value)) {
-                out.push_back({place(value), label(value)});
+                out.push_back({position(value), label(value)});
             }
         }
         return out;
@@ -58,14 +58,9 @@ class Axis {
         if (value == 0) {
             return "0"; // it has no power of ten; nor is it to read -0
         }
-        char text[32];
         const int power = static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-9));
-        if (power < -3) {
-            std::snprintf(text, sizeof text, "%ge%d", std::round(value / std::pow(10.0, power)), power);
-        } else {
-            std::snprintf(text, sizeof text, "%g", value);
-        }
-        return text;
+        return power < -3 ? fmt::format("{:g}e{}", std::round(value / std::pow(10.0, power)), power)
+                          : fmt::format("{:g}", value);
     }
     /// 1, 10, 100; over short spans 2 and 5 have labels too, over very short ones all.
     [[nodiscard]] std::vector<PlotTick> decade_ticks() const {
@@ -76,7 +71,7 @@ class Axis {
                 const double value = digit * std::pow(10.0, decade);
                 if (holds(value)) {
                     const bool labelled = digit == 1 || span < 0.6 || (span < 2 && (digit == 2 || digit == 5));
-                    out.push_back({place(value), labelled ? label(value) : std::string()});
+                    out.push_back({position(value), labelled ? label(value) : std::string()});
                 }
             }
         }
@@ -90,7 +85,7 @@ class Axis {
         const double step = power * (digit < 1.5 ? 1 : digit < 3.5 ? 2 : digit < 7.5 ? 5 : 10);
         std::vector<PlotTick> out;
         for (double i = std::ceil(low_ / step); i * step <= high_; ++i) {
-            out.push_back({place(i * step), label(i * step)});
+            out.push_back({position(i * step), label(i * step)});
         }
         return out;
     }
@@ -101,11 +96,11 @@ class Axis {
 };
 
 /// The points go down and to the right; between two of them nothing is faster and closer.
-std::vector<PlacedPoint> staircase(const std::vector<PlacedSeries> &series, const std::vector<std::size_t> &tags) {
-    std::vector<PlacedPoint> corners;
+std::vector<PlotPoint> staircase(const std::vector<PlotSeries> &series, const std::vector<std::size_t> &tags) {
+    std::vector<PlotPoint> corners;
     for (const std::size_t tag : tags) {
-        for (const PlacedSeries &one : series) {
-            const auto point = std::ranges::find(one.points, tag, &PlacedPoint::tag);
+        for (const PlotSeries &one : series) {
+            const auto point = std::ranges::find(one.points, tag, &PlotPoint::tag);
             if (point == one.points.end()) {
                 continue;
             }
@@ -135,12 +130,14 @@ PlotLayout lay_out(const PlotRequest &request) {
     x.pad(0.06);
     y.pad(0.06);
     for (const PlotSeries &series : request.series) {
-        PlacedSeries placed{series.name, series.style, {}};
+        PlotSeries placed{series.name, series.style, {}};
         for (const PlotPoint &p : series.points) {
             if (x.takes(p.x) && y.takes(p.y)) {
                 const bool spread = p.x_low < p.x_high && x.takes(p.x_low);
-                const auto within = [&](double value) { return std::clamp(x.place(value), layout.left, layout.right); };
-                placed.points.push_back({x.place(p.x), y.place(p.y), within(spread ? p.x_low : p.x),
+                const auto within = [&](double value) {
+                    return std::clamp(x.position(value), layout.left, layout.right);
+                };
+                placed.points.push_back({x.position(p.x), y.position(p.y), within(spread ? p.x_low : p.x),
                                          within(spread ? p.x_high : p.x), p.tag});
             }
         }
@@ -148,7 +145,7 @@ PlotLayout lay_out(const PlotRequest &request) {
     }
     for (const PlotGuide &guide : request.guides) {
         if (y.holds(guide.y)) {
-            layout.guides.push_back({y.place(guide.y), guide.label});
+            layout.guides.push_back({y.position(guide.y), guide.label});
         }
     }
     layout.x_ticks = request.x_marks.empty() ? x.ticks() : x.ticks_at(request.x_marks);
@@ -159,8 +156,8 @@ PlotLayout lay_out(const PlotRequest &request) {
 
 std::optional<std::size_t> nearest_point(const PlotLayout &layout, double x, double y, double reach) {
     std::optional<std::size_t> best;
-    for (const PlacedSeries &series : layout.series) {
-        for (const PlacedPoint &point : series.points) {
+    for (const PlotSeries &series : layout.series) {
+        for (const PlotPoint &point : series.points) {
             const double distance = std::hypot(point.x - x, point.y - y);
             if (distance <= reach) {
                 reach = distance;

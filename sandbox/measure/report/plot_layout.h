@@ -40,25 +40,13 @@ struct PlotTick {
     double at = 0;
     std::string label; ///< empty: a minor one
 };
-struct PlacedPoint {
-    double x = 0, y = 0, x_low = 0, x_high = 0;
-    std::size_t tag = 0;
-};
-struct PlacedSeries {
-    std::string name;
-    int style = 0;
-    std::vector<PlacedPoint> points;
-};
-struct PlacedGuide {
-    double at = 0;
-    std::string label;
-};
+/// The request's series and guides, with positions in place of numbers.
 struct PlotLayout {
     double left = 0, top = 0, right = 0, bottom = 0; ///< the frame
     std::vector<PlotTick> x_ticks, y_ticks;
-    std::vector<PlacedSeries> series;
-    std::vector<PlacedPoint> front; ///< the corners of its staircase
-    std::vector<PlacedGuide> guides;
+    std::vector<PlotSeries> series;
+    std::vector<PlotPoint> front; ///< the corners of its staircase
+    std::vector<PlotGuide> guides;
 };
 
 /// Points that are not finite, or not positive on a logarithmic scale, are left out.

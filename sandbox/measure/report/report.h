@@ -2,12 +2,10 @@
 
 #include "measure/work_precision/run.h"
 
-#include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
-/// A measurement as files: report.html for people, report.json and report.csv for programs.
+/// A measurement with all that its files say of it: report.html for people, report.json and report.csv for programs.
 namespace sandbox {
 
 /// Where a run's times were taken.
@@ -26,6 +24,7 @@ Machine this_machine();
 struct ReportPicture {
     std::string title, caption;
     ByteImage image;
+    std::string error; ///< "RMSE 3.05e-06"; empty: it is the truth
 };
 
 struct ReportRun {
@@ -40,15 +39,7 @@ struct ReportRun {
 /// A run that begins now, on this machine, by this version; nothing is measured yet.
 ReportRun new_report_run(std::string renderer, std::string opengl, std::string clock);
 
-/// {"format": ..., "runs": [...]}; the keys are documented in report_json.cpp.
-std::string report_json(const std::vector<ReportRun> &runs);
-/// The runs of a report.json, without their pictures. `name` is used in messages. Throws InputError.
-std::vector<ReportRun> read_report_json(std::string_view text, std::string_view name);
-
-/// One line a row, with a header; everything else that the report says of a row stands in its columns.
-std::string report_csv(const std::vector<ReportRun> &runs);
-
-/// One self-contained page. With several runs they stand side by side.
-std::string report_html(const std::vector<ReportRun> &runs);
+/// The truth, and the base rows of least and largest RMSE of the last model that was measured, drawn once more.
+std::vector<ReportPicture> report_pictures(const WorkPrecision &measured, const DrawRows &draw);
 
 } // namespace sandbox

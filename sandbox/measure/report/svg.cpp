@@ -1,47 +1,34 @@
 #include "measure/report/svg.h"
 
-#include "measure/report/text.h"
+#include "measure/report/html.h"
 
-#include <cstdio>
+#include <fmt/format.h>
 
 namespace sandbox {
 namespace {
 
-/// One decimal of a pixel is enough.
-std::string at(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.1f", value);
-    return text;
+std::string line(double x1, double y1, double x2, double y2, std::string_view style) {
+    return fmt::format(R"(<line x1="{:.1f}" y1="{:.1f}" x2="{:.1f}" y2="{:.1f}" class="{}"/>)", x1, y1, x2, y2, style);
 }
 
-std::string attribute(const char *name, const std::string &value) {
-    return " " + std::string(name) + "=\"" + value + "\"";
-}
-
-std::string line(double x1, double y1, double x2, double y2, const std::string &style) {
-    return "<line" + attribute("x1", at(x1)) + attribute("y1", at(y1)) + attribute("x2", at(x2)) +
-           attribute("y2", at(y2)) + attribute("class", style) + "/>";
-}
-
-std::string words(double x, double y, const std::string &style, const std::string &text, const std::string &more = {}) {
-    return "<text" + attribute("x", at(x)) + attribute("y", at(y)) + attribute("class", style) + more + ">" +
-           escaped(text) + "</text>";
+std::string words(double x, double y, std::string_view style, std::string_view text, std::string_view more = {}) {
+    return fmt::format(R"(<text x="{:.1f}" y="{:.1f}" class="{}"{}>{}</text>)", x, y, style, more, html::escaped(text));
 }
 
 std::string polygon(double x, double y, const std::vector<std::pair<double, double>> &corners) {
     std::string points;
     for (const auto &[dx, dy] : corners) {
-        points += at(x + dx) + "," + at(y + dy) + " ";
+        points += fmt::format("{:.1f},{:.1f} ", x + dx, y + dy);
     }
-    return "<polygon points=\"" + points + "\"";
+    return fmt::format(R"(<polygon points="{}")", points);
 }
 
-/// Told apart by form as well as by colour; the caller closes the element.
+/// Series differ by form as well as by colour; the caller closes the element.
 std::string marker(double x, double y, int style) {
     constexpr double r = 3.6;
     switch (style % 5) {
     case 0:
-        return "<circle" + attribute("cx", at(x)) + attribute("cy", at(y)) + attribute("r", at(r));
+        return fmt::format(R"(<circle cx="{:.1f}" cy="{:.1f}" r="{:.1f}")", x, y, r);
     case 1:
         return polygon(x, y, {{-r, -r}, {r, -r}, {r, r}, {-r, r}});
     case 2:
@@ -53,10 +40,10 @@ std::string marker(double x, double y, int style) {
     }
 }
 
-std::string path_of(const std::vector<PlacedPoint> &points) {
+std::string path_of(const std::vector<PlotPoint> &points) {
     std::string path;
-    for (const PlacedPoint &point : points) {
-        path += (path.empty() ? "M" : "L") + at(point.x) + " " + at(point.y);
+    for (const PlotPoint &point : points) {
+        path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", point.x, point.y);
     }
     return path;
 }
@@ -74,14 +61,15 @@ std::string axes(const PlotRequest &request, const PlotLayout &layout) {
     const double middle = (layout.top + layout.bottom) / 2;
     svg += words(layout.left, layout.top - 12, "title", request.title);
     svg += words((layout.left + layout.right) / 2, layout.bottom + 36, "label mid", request.x_label);
-    svg += words(14, middle, "label mid", request.y_label, " transform=\"rotate(-90 14 " + at(middle) + ")\"");
+    svg +=
+        words(14, middle, "label mid", request.y_label, fmt::format(R"~( transform="rotate(-90 14 {:.1f})")~", middle));
     return svg;
 }
 
 std::string guide_lines(const PlotLayout &layout) {
     std::string svg;
-    for (const PlacedGuide &guide : layout.guides) {
-        svg += line(layout.left, guide.at, layout.right, guide.at, "guide");
+    for (const PlotGuide &guide : layout.guides) {
+        svg += line(layout.left, guide.y, layout.right, guide.y, "guide");
     }
     return svg;
 }
@@ -89,28 +77,29 @@ std::string guide_lines(const PlotLayout &layout) {
 /// Over everything else, to be readable.
 std::string guide_labels(const PlotLayout &layout) {
     std::string svg;
-    for (const PlacedGuide &guide : layout.guides) {
-        svg += words(layout.left + 5, guide.at - 4, "guide-label", guide.label);
+    for (const PlotGuide &guide : layout.guides) {
+        svg += words(layout.left + 5, guide.y - 4, "guide-label", guide.label);
     }
     return svg;
 }
 
-std::string series_svg(const PlacedSeries &series, const std::function<std::string(std::size_t)> &tip) {
-    std::string svg = "<g" + attribute("class", "s" + std::to_string(series.style)) + "><path class=\"line\" d=\"" +
-                      path_of(series.points) + "\"/>";
-    for (const PlacedPoint &point : series.points) {
+std::string series_svg(const PlotSeries &series, const std::function<std::string(std::size_t)> &tip) {
+    std::string svg =
+        fmt::format(R"(<g class="s{}"><path class="line" d="{}"/>)", series.style, path_of(series.points));
+    for (const PlotPoint &point : series.points) {
         if (point.x_high - point.x_low > 1) {
             svg += line(point.x_low, point.y, point.x_high, point.y, "spread");
         }
-        svg += marker(point.x, point.y, series.style) + " class=\"dot\"><title>" + escaped(tip(point.tag)) +
-               "</title></" + (series.style % 5 == 0 ? "circle>" : "polygon>");
+        svg += fmt::format(R"({} class="dot"><title>{}</title></{}>)", marker(point.x, point.y, series.style),
+                           html::escaped(tip(point.tag)), series.style % 5 == 0 ? "circle" : "polygon");
     }
     return svg + "</g>";
 }
 
 std::string open_svg(double width, double height, const std::string &name) {
-    return "<svg viewBox=\"0 0 " + at(width) + " " + at(height) + "\" role=\"img\" aria-label=\"" + escaped(name) +
-           "\" xmlns=\"http://www.w3.org/2000/svg\">";
+    return fmt::format("<svg viewBox=\"0 0 {:.1f} {:.1f}\" role=\"img\" aria-label=\"{}\" "
+                       "xmlns=\"http://www.w3.org/2000/svg\">",
+                       width, height, html::escaped(name));
 }
 
 } // namespace
@@ -120,27 +109,26 @@ std::string plot_svg(const PlotRequest &request, const std::function<std::string
     std::string svg =
         open_svg(request.width, request.height, request.title) + axes(request, layout) + guide_lines(layout);
     if (!layout.front.empty()) {
-        svg += "<path class=\"front\" d=\"" + path_of(layout.front) + "\"/>";
+        svg += fmt::format(R"(<path class="front" d="{}"/>)", path_of(layout.front));
     }
-    for (const PlacedSeries &series : layout.series) {
+    for (const PlotSeries &series : layout.series) {
         svg += series_svg(series, tip);
     }
     return svg + guide_labels(layout) + "</svg>\n";
 }
 
 std::string legend_html(const std::vector<std::string> &names, bool with_front) {
-    std::string html = "<p class=\"legend\">";
+    std::string legend;
     for (std::size_t i = 0; i < names.size(); ++i) {
-        const int style = static_cast<int>(i);
-        html += "<span><svg viewBox=\"0 0 30 12\" class=\"s" + std::to_string(i) +
-                "\" aria-hidden=\"true\"><path class=\"line\" d=\"M0 6L30 6\"/>" + marker(15, 6, style) +
-                " class=\"dot\"/></svg>" + escaped(names[i]) + "</span>";
+        legend += fmt::format(R"(<span><svg viewBox="0 0 30 12" class="s{}" aria-hidden="true">)"
+                              R"(<path class="line" d="M0 6L30 6"/>{} class="dot"/></svg>{}</span>)",
+                              i, marker(15, 6, static_cast<int>(i)), html::escaped(names[i]));
     }
     if (with_front) {
-        html += "<span><svg viewBox=\"0 0 30 12\" aria-hidden=\"true\"><path class=\"front\" d=\"M0 3L15 3L15 10L30 "
-                "10\"/></svg>no other is both faster and closer</span>";
+        legend += "<span><svg viewBox=\"0 0 30 12\" aria-hidden=\"true\"><path class=\"front\" d=\"M0 3L15 3L15 10L30 "
+                  "10\"/></svg>no other is both faster and closer</span>";
     }
-    return html + "</p>\n";
+    return fmt::format("<p class=\"legend\">{}</p>\n", legend);
 }
 
 std::string bars_svg(const std::vector<LabelledBar> &bars, double width, const std::string &title) {
@@ -149,11 +137,11 @@ std::string bars_svg(const std::vector<LabelledBar> &bars, double width, const s
     double y = 4;
     for (const LabelledBar &bar : bars) {
         y += bar.gap_above ? gap : 0;
-        svg += "<g><title>" + escaped(bar.tip) + "</title>" + words(left - 10, y + 10, "tick end", bar.label);
+        svg += fmt::format("<g><title>{}</title>{}", html::escaped(bar.tip),
+                           words(left - 10, y + 10, "tick end", bar.label));
         for (const BarPiece &piece : lay_out_shares({bar.bar}, left, y, width - left - right, step, thickness)) {
-            svg += "<rect" + attribute("x", at(piece.x)) + attribute("y", at(piece.y)) +
-                   attribute("width", at(piece.width)) + attribute("height", at(piece.height)) +
-                   attribute("class", "p" + std::to_string(piece.part)) + "/>";
+            svg += fmt::format(R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" class="p{}"/>)", piece.x,
+                               piece.y, piece.width, piece.height, piece.part);
         }
         svg += words(width - right + 10, y + 10, "tick", bar.value) + "</g>";
         y += step;

@@ -1,35 +1,30 @@
-#include "measure/report/page.h"
+#include "measure/report/tables.h"
+
+#include "measure/report/figures.h"
+#include "measure/report/html.h"
 #include "measure/report/text.h"
+#include "measure/work_precision/claims.h"
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
-namespace sandbox::report_page {
+namespace sandbox::html {
 namespace {
 
-std::vector<Model> richest_first(const WorkPrecision &m) {
-    auto models = models_of(m);
-    std::ranges::reverse(models);
-    return models;
-}
-
-std::string order_text(const std::optional<double> &p) {
-    if (!p) {
-        return "&ndash;";
-    }
-    char text[16];
-    std::snprintf(text, sizeof text, "%.2f", *p);
-    return text;
-}
-
+/// "2.00 / 1.98 / 2.01"
 std::string orders_text(const Orders &orders) {
-    if (!orders.max && !orders.l2 && !orders.l1) {
-        return "&ndash;";
+    std::string text;
+    bool any = false;
+    for (const Quantity<Orders> &order : order_quantities) {
+        const auto value = order.value(orders);
+        any = any || value;
+        text += fmt::format("{}{}", text.empty() ? "" : " / ", value ? fmt::format("{:.2f}", *value) : "&ndash;");
     }
-    return order_text(orders.max) + " / " + order_text(orders.l2) + " / " + order_text(orders.l1);
+    return any ? text : "&ndash;";
 }
 
-std::string settling_style(Settling settling) {
+std::string_view style_of(Settling settling) {
     return settling == Settling::settled ? "" : settling == Settling::settling ? "unsettled" : "q";
 }
 
@@ -41,18 +36,17 @@ std::string order_table(const WorkPrecision &m, const std::vector<OrderStep> &al
             steps.push_back(&step);
         }
     }
-    HtmlTable table(std::string(name_of(model)) + ": max / L2 / L1");
-    table.column("technique", false);
-    table.column("error", false);
+    std::vector<std::string> heads{"technique", "error"};
     std::vector<std::size_t> columns; // the finer mesh of each
     for (const OrderStep *step : steps) {
         const std::size_t fine = m.rows[step->fine].plan.mesh;
         if (std::ranges::find(columns, fine) == columns.end()) {
             columns.push_back(fine);
-            table.column(std::to_string(m.meshes[m.rows[step->coarse].plan.mesh].rings) + " &rarr; " +
-                         std::to_string(m.meshes[fine].rings));
+            const PlannedMesh &coarse = m.meshes[m.rows[step->coarse].plan.mesh];
+            heads.push_back(fmt::format("{} &rarr; {}", coarse.rings, m.meshes[fine].rings));
         }
     }
+    Table table(heads, fmt::format("{}: max / L2 / L1", name_of(model)));
     std::vector<Technique> techniques;
     for (const OrderStep *step : steps) {
         const Technique &technique = m.rows[step->fine].plan.technique;
@@ -66,7 +60,7 @@ std::string order_table(const WorkPrecision &m, const std::vector<OrderStep> &al
                 continue; // nothing but N and P is interpolated
             }
             table.begin_row();
-            table.text(whole ? technique_html(technique) : "");
+            table.text(whole ? technique_code(technique) : "");
             table.text(whole ? "whole" : "interpolation", "q");
             for (const std::size_t column : columns) {
                 const auto step = std::ranges::find_if(steps, [&](const OrderStep *s) {
@@ -77,15 +71,15 @@ std::string order_table(const WorkPrecision &m, const std::vector<OrderStep> &al
                     continue;
                 }
                 const Orders &orders = whole ? (*step)->total : (*step)->interpolation;
-                table.number(orders.l2.value_or(0), orders_text(orders), settling_style((*step)->settling));
+                table.number(orders.l2.value_or(0), orders_text(orders), style_of((*step)->settling));
             }
         }
     }
-    return columns.empty() ? std::string() : table.html();
+    return table.html();
 }
 
 std::string two_lines(double upper, double lower) {
-    return short_number(upper) + "<br><span class=\"q\">" + short_number(lower) + "</span>";
+    return fmt::format(R"({}<br><span class="q">{}</span>)", short_number(upper), short_number(lower));
 }
 
 } // namespace
@@ -100,8 +94,9 @@ std::string order_ladder(const ReportRun &run) {
         "orders", "How fast the error falls as triangles halve",
         "The order p = log<sub>2</sub>(e<sub>h</sub> / e<sub>h/2</sub>) of each step up the ladder. "
         "Linear interpolation of something smooth gives 2 / 2 / 2, a kink (the terminator) 1 / 1.5 / 2, a "
-        "jump (a hard cone) 0 / 0.5 / 1. <span class=\"q\"><i>Grey and slanted: not settled yet</i></span>, the "
-        "step before differs by more than 0.25, as while a highlight is narrower than the triangles. "
+        "jump (a hard cone) 0 / 0.5 / 1. <span class=\"q\"><i>Grey and slanted: not settled yet</i></span>: the "
+        "order of the step before differs by more than 0.25, as it does while a highlight is narrower than the "
+        "triangles. "
         "&ldquo;Whole&rdquo; is the picture against the truth; &ldquo;interpolation&rdquo; the technique "
         "against per-pixel on the same mesh.",
         body.empty() ? body : ladder_plots(run) + body);
@@ -109,118 +104,105 @@ std::string order_ladder(const ReportRun &run) {
 
 std::string cheapest_rows(const ReportRun &run) {
     const WorkPrecision &m = run.measured;
-    HtmlTable table;
-    table.column("model", false);
-    table.column("error", false);
+    std::vector<std::string> heads{"model", "error"};
     for (const double bound : error_bounds) {
-        table.column("at most " + bound_name(bound), false);
+        heads.push_back("at most " + bound_name(bound));
     }
+    Table table(heads);
     bool any = false;
     for (const Model model : richest_first(m)) {
         for (const ErrorNorm norm : error_norms) {
             table.begin_row();
-            table.text(std::string(name_of(model)));
-            table.text(std::string(name_of(norm)));
+            table.text(name_of(model));
+            table.text(name_of(norm));
             for (const double bound : error_bounds) {
                 const auto row = cheapest(m, model, norm, bound);
-                any = any || row;
-                table.text(row ? technique_html(m.rows[*row].plan.technique) + "<br><span class=\"q\">" +
-                                     escaped(mesh_words(m.meshes[m.rows[*row].plan.mesh])) + ", " +
-                                     milliseconds_text(m.rows[*row].time->median) + " ms</span>"
-                               : "none",
-                           row ? "" : "q");
+                if (!row) {
+                    table.text("none", "q");
+                    continue;
+                }
+                any = true;
+                const MeasuredRow &found = m.rows[*row];
+                table.text(
+                    fmt::format(R"({}<br><span class="q">{}, {} ms</span>)", technique_code(found.plan.technique),
+                                escaped(mesh_words(m.meshes[found.plan.mesh])), milliseconds_text(found.time->median)));
             }
         }
     }
     return section(
         "cheapest", "The cheapest technique that is close enough",
-        "Least median time among all rows whose error stays within the bound: a level of an 8-bit display, of "
-        "a 10-bit one, and 1e-5.",
+        "The row of least median time among those whose error stays within the bound: one level of an 8-bit display, "
+        "one of a 10-bit display, and 1e-5.",
         any ? table.html() : std::string());
 }
 
 std::string specialisation(const ReportRun &run) {
     const WorkPrecision &m = run.measured;
-    HtmlTable table;
-    table.column("technique", false);
-    table.column("specialised, ms");
-    table.column("full, ms");
-    table.column("full / specialised");
-    table.column("time saved");
-    for (const TimeRatio &ratio : ratios_to_base(m, RowGroup::full_program)) {
+    Table table({"technique", "specialised, ms", "full, ms", "full / specialised", "time saved"});
+    for (const TimeRatio &times : ratios_to_base(m, RowGroup::full_program)) {
         table.begin_row();
-        table.text(technique_html(m.rows[ratio.base].plan.technique));
-        table.number(m.rows[ratio.base].time->median, milliseconds_text(m.rows[ratio.base].time->median));
-        table.number(m.rows[ratio.row].time->median, milliseconds_text(m.rows[ratio.row].time->median));
-        table.number(ratio.median, ratio_html(ratio));
-        const double saved = 100 * (1 - 1 / ratio.median);
-        table.number(saved, std::to_string(std::lround(saved)) + " %", ratio.lower_quartile > 1 ? "good" : "");
+        table.text(technique_code(m.rows[times.base].plan.technique));
+        table.number(m.rows[times.base].time->median, milliseconds_text(m.rows[times.base].time->median));
+        table.number(m.rows[times.row].time->median, milliseconds_text(m.rows[times.row].time->median));
+        table.number(times.median, ratio_text(times));
+        const double saved = 100 * (1 - 1 / times.median);
+        table.number(saved, fmt::format("{} %", std::lround(saved)), times.lower_quartile > 1 ? "good" : "");
     }
     return section(
         "specialisation", "What leaving out saves",
-        "A specialised program holds only what the scene needs; the full one can do every scene and branches "
-        "on uniforms. On the scene's own mesh; the ratio is of each round's two times, with the middle half.",
-        table.empty() ? std::string() : table.html());
+        "A specialised program holds only what the scene needs; the full program can draw every scene and branches "
+        "on uniforms. Measured on the scene's own mesh; the ratio is the median over the rounds, with the middle "
+        "half.",
+        table.html());
 }
 
 std::string power(const ReportRun &run) {
     const WorkPrecision &m = run.measured;
-    HtmlTable table;
-    table.column("technique", false);
-    table.column("RMSE of arithmetic");
-    table.column("largest");
-    table.column("with power=auto");
-    table.column("largest");
-    table.column("time / auto");
-    for (const TimeRatio &ratio : ratios_to_base(m, RowGroup::power)) {
-        const auto &row = m.rows[ratio.row];
-        const auto &base = m.rows[ratio.base];
+    Table table({"technique", "RMSE of arithmetic", "largest", "with power=auto", "largest", "time / auto"});
+    for (const TimeRatio &times : ratios_to_base(m, RowGroup::power)) {
+        const auto &row = m.rows[times.row];
+        const auto &base = m.rows[times.base];
         if (!row.errors || !base.errors) {
             continue;
         }
         table.begin_row();
-        table.text(technique_html(row.plan.technique));
-        for (const auto *one : {&row, &base}) {
-            const Norms &arithmetic = one->errors->split.arithmetic;
+        table.text(technique_code(row.plan.technique));
+        for (const auto *shown : {&row, &base}) {
+            const Norms &arithmetic = shown->errors->split.arithmetic;
             table.number(arithmetic.rmse, short_number(arithmetic.rmse));
             table.number(arithmetic.max_abs, short_number(arithmetic.max_abs));
         }
-        table.number(ratio.median, ratio_html(ratio));
+        table.number(times.median, ratio_text(times));
     }
-    return section("power", "Stable against textbook power",
-                   "The error that float32 arithmetic alone adds, with f<sup>n</sup> by pow() and by the stable form. "
-                   "power=auto is the textbook line below n = 1024 and the stable form from there; the one that equals "
-                   "it has no row of its own.",
-                   table.empty() ? std::string() : table.html());
+    return section(
+        "power", "Stable against textbook power",
+        "The error that float32 arithmetic alone adds, with f<sup>n</sup> by pow() and by the stable form. "
+        "power=auto is pow() below n = 1024 and the stable form from there on; the form that it equals here has "
+        "no row of its own.",
+        table.html());
 }
 
 std::string claims(const ReportRun &run) {
     const WorkPrecision &m = run.measured;
-    HtmlTable table;
-    table.column("it is said that", false);
-    table.column("so compare, with", false);
-    table.column("RMSE");
-    table.column("largest");
-    table.column("time ratio");
-    table.column("here it gives", false);
+    Table table({"claim", "compared, with", "RMSE", "largest", "time ratio", "measured here"});
     for (const Claim &claim : answer_claims(m)) {
         const MeasuredRow &row = m.rows[claim.row];
         const MeasuredRow &against = m.rows[claim.against];
-        const Norms &one = row.errors->total.norms;
+        const Norms &error = row.errors->total.norms;
         const Norms &other = against.errors->total.norms;
         table.begin_row();
         table.text(escaped(claim.says));
-        table.text(technique_html(row.plan.technique) + "<br><span class=\"q\">" +
-                   technique_html(against.plan.technique) + "</span>");
-        table.number(one.rmse, two_lines(one.rmse, other.rmse));
-        table.number(one.max_abs, two_lines(one.max_abs, other.max_abs));
-        table.number(claim.time.median, ratio_html(claim.time));
+        table.text(fmt::format(R"({}<br><span class="q">{}</span>)", technique_code(row.plan.technique),
+                               technique_code(against.plan.technique)));
+        table.number(error.rmse, two_lines(error.rmse, other.rmse));
+        table.number(error.max_abs, two_lines(error.max_abs, other.max_abs));
+        table.number(claim.time.median, ratio_text(claim.time));
         table.text(escaped(claim.finding));
     }
-    return section("claims", "What is said, and what is measured",
+    return section("claims", "Claims, measured",
                    "Shortcuts that tutorials recommend, on the scene's own mesh. A time counts as different where the "
                    "middle half of the rounds agrees on it.",
-                   table.empty() ? std::string() : table.html());
+                   table.html());
 }
 
-} // namespace sandbox::report_page
+} // namespace sandbox::html

@@ -2,22 +2,26 @@
 
 #include "measure/work_precision/run.h"
 
+#include <fmt/format.h>
 #include <string>
-#include <string_view>
 
-/// How the report writes numbers and names.
+/// How pages, tables and the window write numbers and names.
 namespace sandbox {
 
-/// Three digits: "0.00123", "4.56e-07", "12.3"; "none" for 0, "not finite".
+/// Three digits: "0.00123", "4.56e-07", "12.3"; "not finite".
 std::string short_number(double value);
+/// A count, or three digits; "none" where there is no such number.
+template <class T> std::string quantity_text(const Quantity<T> &quantity, const T &measured) {
+    const std::optional<double> value = quantity.value(measured);
+    return !value ? "none" : quantity.whole() ? fmt::format("{:.0f}", *value) : short_number(*value);
+}
 /// As a table shows milliseconds: "0.123", "12.3".
 std::string milliseconds_text(double value);
-/// "16 rings", "the scene's own mesh".
+/// "16 rings", "the scene's own mesh"
 std::string mesh_words(const PlannedMesh &mesh);
+/// "16 rings", "own mesh"
+std::string short_mesh_words(const PlannedMesh &mesh);
 /// Of an error bound: "1/255", "1e-5".
 std::string bound_name(double bound);
-/// & < > " become entities.
-std::string escaped(std::string_view text);
-std::string base64(std::string_view bytes);
 
 } // namespace sandbox

@@ -3,19 +3,14 @@
 #include "measure/report/text.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 namespace sandbox {
 
 namespace {
 
-std::string_view words_of(ErrorNorm norm) {
-    return norm == ErrorNorm::rmse  ? "root mean square error"
-           : norm == ErrorNorm::p99 ? "99th percentile of the error"
-                                    : "largest error";
-}
-
-PlotSeries series_of(const WorkPrecision &m, Technique technique, int style, ErrorNorm norm) {
-    PlotSeries series{std::string(name_of(technique.frequency)), style, {}};
+PlotSeries series_of(const WorkPrecision &m, const Technique &technique, ErrorNorm norm) {
+    PlotSeries series{std::string(name_of(technique.frequency)), series_style(technique.frequency), {}};
     for (std::size_t i = 0; i < m.rows.size(); ++i) {
         const MeasuredRow &row = m.rows[i];
         if (row.complete() && row.finite() && row.plan.technique == technique) {
@@ -30,29 +25,21 @@ PlotSeries series_of(const WorkPrecision &m, Technique technique, int style, Err
 
 } // namespace
 
-std::vector<std::string> plotted_names() {
+std::vector<std::string> series_names() {
     std::vector<std::string> names;
-    for (const Frequency frequency : plotted_frequencies) {
+    for (const Frequency frequency : all_frequencies) {
         names.emplace_back(name_of(frequency));
     }
     return names;
 }
 
-int series_style(Frequency frequency) {
-    return static_cast<int>(std::ranges::find(plotted_frequencies, frequency) - plotted_frequencies);
-}
-
 PlotRequest error_time_plot(const WorkPrecision &m, Model model, ErrorNorm norm) {
     PlotRequest plot;
-    plot.title =
-        std::string(name_of(model)) + ": " + (norm == ErrorNorm::max ? "largest error" : std::string(name_of(norm)));
+    plot.title = fmt::format("{}: {}", name_of(model), norm == ErrorNorm::max ? "largest error" : name_of(norm));
     plot.x_label = "median time of a frame, ms";
-    plot.y_label = words_of(norm);
-    for (std::size_t f = 0; f < std::size(plotted_frequencies); ++f) {
-        Technique base; // every key at its default
-        base.frequency = plotted_frequencies[f];
-        base.model = model;
-        plot.series.push_back(series_of(m, base, static_cast<int>(f), norm));
+    plot.y_label = quantity_of(norm).meaning;
+    for (const Frequency frequency : all_frequencies) {
+        plot.series.push_back(series_of(m, {.frequency = frequency, .model = model}, norm)); // every key at its default
     }
     plot.front = pareto_front(m, model, norm);
     for (const double bound : error_bounds) {

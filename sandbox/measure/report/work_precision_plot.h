@@ -9,11 +9,9 @@
 /// Error against run time as a plot: what report.html and the window show of a measurement.
 namespace sandbox {
 
-/// The techniques of a plot, in the order of its series; a series' style is its place here.
-constexpr Frequency plotted_frequencies[]{Frequency::flat, Frequency::per_vertex, Frequency::per_pixel,
-                                          Frequency::interpolated_vectors, Frequency::hybrid};
-std::vector<std::string> plotted_names();
-int series_style(Frequency frequency);
+/// A plot has a series a frequency, in the order of all_frequencies; its style is its number there.
+std::vector<std::string> series_names();
+constexpr int series_style(Frequency frequency) { return static_cast<int>(frequency); }
 
 /// The base rows of one model: one line a frequency, coarse meshes first, with the front and the tolerances. A point's
 /// tag is its row.

@@ -23,102 +23,93 @@ constexpr std::string_view cases_folder = "stability/cases/";
 constexpr double one_level = 1.0 / 255;
 constexpr std::array<std::string_view, 10> known_keys{"group", "symptom",    "cause",    "source", "scene",
                                                       "set",   "techniques", "textbook", "bound",  "unit"};
-constexpr std::array<ErrorUnit, 2> units{ErrorUnit::linear_color, ErrorUnit::brightest_value};
-
-/// Runs `work`; what it says is wrong is said with `where` before it.
-template <typename Work> auto at(const std::string &where, Work work) {
-    try {
-        return work();
-    } catch (const InputError &error) {
-        throw InputError(where + ": " + error.what());
-    }
-}
 
 class CaseReader {
   public:
-    CaseReader(std::string_view text, std::string file, fs::path folder, const Assets &assets)
-        : file_(std::move(file)), folder_(std::move(folder)), assets_(assets) {
+    CaseReader(std::string file, fs::path folder, const Assets &assets)
+        : file_(std::move(file)), folder_(std::move(folder)), assets_(assets) {}
+
+    StabilityCase read(std::string_view text) {
         try {
             json_ = json::parse(text);
         } catch (const json::exception &error) {
-            throw InputError(file_ + ": expected JSON: " + error.what());
+            throw InputError(fmt::format("{}: expected JSON: {}", file_, error.what()));
         }
         if (!json_.is_object()) {
-            throw InputError(file_ + ": expected an object, got " + json_.dump());
+            throw InputError(fmt::format("{}: expected an object, got {}", file_, json_.dump()));
         }
         for (const auto &[key, value] : json_.items()) {
             if (std::ranges::find(known_keys, key) == known_keys.end()) {
-                throw InputError(file_ + ": " + key + ": unknown key of a stability case" +
-                                 suggestion(key, known_keys));
+                throw InputError(
+                    fmt::format("{}: {}: unknown key of a stability case{}", file_, key, suggestion(key, known_keys)));
             }
         }
-    }
-
-    [[nodiscard]] StabilityCase read() const {
+        const json usual{"per-pixel/blinn-phong", "per-pixel/phong", "per-pixel/blinn-phong:program=full",
+                         "per-vertex/blinn-phong"}; // where most equations run
         StabilityCase read;
+        read.name = fs::path(file_).stem().string();
         read.group = words("group");
         read.symptom = words("symptom");
         read.cause = words("cause");
         read.source = words("source");
         read.scene = scene();
-        const json usual{"per-pixel/blinn-phong", "per-pixel/phong", "per-pixel/blinn-phong:program=full",
-                         "per-vertex/blinn-phong"}; // where most equations run
-        const json listed = json_.value("techniques", usual);
-        expect(listed.is_array() && !listed.empty(), "techniques", "a list of techniques");
-        for (std::size_t i = 0; i < listed.size(); ++i) {
-            read.techniques.push_back(technique(listed[i], fmt::format("techniques[{}]", i)));
+        const json techniques = json_.value("techniques", usual);
+        expect(is_list_of_strings(techniques) && !techniques.empty(), "techniques", "a list of techniques");
+        for (const json &technique : techniques) {
+            read.techniques.push_back(at("techniques", [&] { return parse_technique(technique.get<std::string>()); }));
         }
         if (json_.contains("textbook")) {
-            read.textbook = technique(json_["textbook"], "textbook");
+            const std::string textbook = words("textbook");
+            read.textbook = at("textbook", [&] { return parse_technique(textbook); });
         }
         const json bound = json_.value("bound", json(one_level));
         expect(bound.is_number() && bound.get<double>() > 0, "bound", "a number > 0");
         read.bound = bound.get<double>();
-        read.unit = unit();
+        const json unit = json_.value("unit", json(name_of(ErrorUnit::linear_color)));
+        read.unit = unit == name_of(ErrorUnit::linear_color) ? ErrorUnit::linear_color : ErrorUnit::brightest_value;
+        expect(unit == name_of(read.unit), "unit", "\"linear colour\" or \"brightest value\"");
         return read;
     }
 
   private:
+    static bool is_list_of_strings(const json &value) {
+        return value.is_array() && std::ranges::all_of(value, [](const json &element) { return element.is_string(); });
+    }
+
     void expect(bool good, const std::string &key, const std::string &what) const {
         if (!good) {
             const auto found = json_.find(key);
-            const std::string got = found == json_.end() ? "missing; expected " + what
-                                                         : fmt::format("expected {}, got {}", what, found->dump());
-            throw InputError(file_ + ": " + key + ": " + got);
+            throw InputError(found == json_.end()
+                                 ? fmt::format("{}: {}: missing; expected {}", file_, key, what)
+                                 : fmt::format("{}: {}: expected {}, got {}", file_, key, what, found->dump()));
         }
     }
 
     [[nodiscard]] std::string words(const char *key) const {
         const json value = json_.value(key, json());
-        expect(value.is_string() && !value.get_ref<const std::string &>().empty(), key, "a string that is not empty");
+        expect(value.is_string() && value != "", key, "a string that is not empty");
         return value;
     }
 
-    [[nodiscard]] Technique technique(const json &value, const std::string &path) const {
-        return at(file_ + ": " + path, [&] {
-            if (!value.is_string()) {
-                throw InputError("expected a technique such as per-pixel/phong, got " + value.dump());
-            }
-            return parse_technique(value.get_ref<const std::string &>());
-        });
-    }
-
-    [[nodiscard]] ErrorUnit unit() const {
-        const json word = json_.value("unit", json(name_of(ErrorUnit::linear_color)));
-        const auto found = std::ranges::find_if(units, [&](ErrorUnit unit) { return word == name_of(unit); });
-        expect(found != units.end(), "unit", "\"linear colour\" or \"brightest value\"");
-        return *found;
+    /// Runs `work`; what it says is wrong is said with the file and the key.
+    template <typename Work> auto at(std::string_view key, Work work) const -> decltype(work()) {
+        try {
+            return work();
+        } catch (const InputError &error) {
+            throw InputError(fmt::format("{}: {}: {}", file_, key, error.what()));
+        }
     }
 
     [[nodiscard]] Scene scene() const {
         const json value = json_.value("scene", json());
         expect(value.is_string() || value.is_object(), "scene", "a scene's name, a file or a scene object");
         const Scene base = value.is_object() ? parse_scene(value.dump(), file_ + ": scene", folder_)
-                                             : at(file_ + ": scene", [&] { return named_scene(value); });
-        const json listed = json_.value("set", json::array());
-        expect(listed.is_array() && std::ranges::all_of(listed, [](const json &one) { return one.is_string(); }), "set",
-               "a list of strings PATH=VALUE");
-        return with_settings(base, listed.get<std::vector<std::string>>(), file_ + ": set", folder_);
+                                             : at("scene", [&] { return named_scene(value); });
+        const json settings = json_.value("set", json::array());
+        expect(is_list_of_strings(settings), "set", "a list of strings PATH=VALUE");
+        return settings.empty()
+                   ? base
+                   : with_settings(base, settings.get<std::vector<std::string>>(), file_ + ": set", folder_);
     }
 
     [[nodiscard]] Scene named_scene(const std::string &name) const {
@@ -153,9 +144,7 @@ std::string_view name_of(ErrorUnit unit) {
 
 StabilityCase parse_stability_case(std::string_view text, const fs::path &file, const fs::path &folder,
                                    const Assets &assets) {
-    StabilityCase read = CaseReader(text, file.string(), folder, assets).read();
-    read.name = file.stem().string();
-    return read;
+    return CaseReader(file.string(), folder, assets).read(text);
 }
 
 std::vector<StabilityCase> stability_cases(const Assets &assets) {

@@ -1,5 +1,6 @@
 #include "measure/stability/stability.h"
 
+#include "measure/stability/textbook.h"
 #include "reference/reference.h"
 #include "shading/features.h"
 
@@ -26,18 +27,17 @@ double brightest(const ReferenceFrame &truth) {
     return largest;
 }
 
-/// Does the scene need no guard at all?
-bool is_textbook(const StabilityCase &one, const std::vector<ObjectResources> &resources) {
-    const std::vector<Features> features = derive_features(one.scene, one.techniques.front(), resources);
-    return std::ranges::all_of(features, [](const Features &f) { return without_guards(f) == f; });
+bool needs_guards(const StabilityCase &drawn, const std::vector<ObjectResources> &resources) {
+    const std::vector<Features> features = derive_features(drawn.scene, drawn.techniques.front(), resources);
+    return !std::ranges::all_of(features, [](const Features &f) { return without_guards(f) == f; });
 }
 
 /// Textbook and robust program take turns, so that a drift of the machine hits both alike; the median of the ratios.
-double cost_of(const StabilityCase &one, const StabilityDraw &draw) {
+double cost_of(const StabilityCase &timed, const StabilityDraw &draw) {
     std::vector<double> ratios;
     for (int turn = -2; turn < cost_turns; ++turn) {
-        const double robust = draw.timed(one.scene, one.techniques.front());
-        const double textbook = draw.timed_unguarded(one.scene, one.techniques.front());
+        const double robust = draw.timed(timed.scene, timed.techniques.front());
+        const double textbook = draw.timed_unguarded(timed.scene, timed.techniques.front());
         if (turn >= 0) {
             ratios.push_back(robust / textbook);
         }
@@ -72,27 +72,27 @@ StabilityRow judge_stability(const Frame &drawn, const ReferenceFrame &truth, co
     return row;
 }
 
-double stability_exposure(const StabilityCase &one, const ReferenceFrame &truth) {
-    const double white = one.unit == ErrorUnit::brightest_value ? brightest(truth) : 1;
+double stability_exposure(const StabilityCase &drawn, const ReferenceFrame &truth) {
+    const double white = drawn.unit == ErrorUnit::brightest_value ? brightest(truth) : 1;
     return white > 0 ? 1 / white : 1;
 }
 
-StabilityResult run_stability_case(const StabilityCase &one, const StabilityDraw &draw, Size size) {
+StabilityResult run_stability_case(const StabilityCase &definition, const StabilityDraw &draw, Size size) {
     StabilityResult result;
-    result.of = one;
-    const auto resources = draw.load(one.scene);
-    for (const Technique &technique : one.techniques) {
-        const ReferenceFrame truth = render_reference(one.scene, resources, technique, size);
-        const Frame frame = draw.picture(one.scene, technique, size);
-        result.rows.push_back(judge_stability(frame, truth, technique, one.bound, one.unit));
+    result.definition = definition;
+    const auto resources = draw.load(definition.scene);
+    for (const Technique &technique : definition.techniques) {
+        const ReferenceFrame truth = render_reference(definition.scene, resources, technique, size);
+        const Frame frame = draw.picture(definition.scene, technique, size);
+        result.rows.push_back(judge_stability(frame, truth, technique, definition.bound, definition.unit));
         if (result.rows.size() > 1) {
             continue;
         }
-        const Technique textbook = one.textbook.value_or(technique);
-        const Frame naive = one.textbook ? draw.picture(one.scene, textbook, size)
-                                         : textbook_picture(one.scene, resources, technique, size);
-        result.textbook = judge_stability(naive, truth, textbook, one.bound, one.unit);
-        result.exposure = stability_exposure(one, truth);
+        const Technique textbook = definition.textbook.value_or(technique);
+        const Frame naive = definition.textbook ? draw.picture(definition.scene, textbook, size)
+                                                : textbook_picture(definition.scene, resources, technique, size);
+        result.textbook = judge_stability(naive, truth, textbook, definition.bound, definition.unit);
+        result.exposure = stability_exposure(definition, truth);
         result.textbook_image = to_display(naive.color, Display::linear, result.exposure);
         result.robust_image = to_display(frame.color, Display::linear, result.exposure);
         // Rounded to float after the exposure: a truth beyond float's range must still be shown.
@@ -102,8 +102,9 @@ StabilityResult run_stability_case(const StabilityCase &one, const StabilityDraw
         }
         result.reference_image = to_display(to_frame(shown).color);
     }
-    if (draw.timed && draw.timed_unguarded) {
-        result.cost = is_textbook(one, resources) ? 1 : cost_of(one, draw);
+    result.guarded = needs_guards(definition, resources);
+    if (result.guarded && draw.timed && draw.timed_unguarded) {
+        result.cost = cost_of(definition, draw);
     }
     return result;
 }

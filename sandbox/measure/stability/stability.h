@@ -5,14 +5,13 @@
 #include "measure/stability/cases.h"
 #include "scene/resources.h"
 
+#include <chrono>
 #include <functional>
 #include <optional>
-#include <string>
-#include <string_view>
 #include <vector>
 
-/// The stiff and extreme cases: scenes on which a textbook's float32 formulas break, drawn and judged against the
-/// double reference. Knows no OpenGL.
+/// Draws the stiff and extreme cases, on which a textbook's float32 formulas break, and judges them against the double
+/// reference. Knows no OpenGL.
 namespace sandbox {
 
 /// One picture against the truth.
@@ -24,10 +23,11 @@ struct StabilityRow {
 };
 
 struct StabilityResult {
-    StabilityCase of;
-    std::vector<StabilityRow> rows; ///< as of.techniques
+    StabilityCase definition;
+    std::vector<StabilityRow> rows; ///< as definition.techniques
     StabilityRow textbook;
-    /// Run time of of.techniques[0] over that of the same program without guards; 1 where it has none anyhow.
+    bool guarded = true; ///< false: the scene needs no guard, so the program is the textbook's
+    /// Run time of the first technique over that of the same program without guards; nothing if it was not timed.
     std::optional<double> cost;
     double exposure = 1; ///< of the pictures: see stability_exposure()
     ByteImage textbook_image, robust_image, reference_image;
@@ -35,9 +35,11 @@ struct StabilityResult {
     [[nodiscard]] bool passed() const;
     /// The row with the largest error.
     [[nodiscard]] const StabilityRow &worst() const;
+    /// The cost; 1 where there are no guards to pay for.
+    [[nodiscard]] std::optional<double> cost_ratio() const { return guarded ? cost : 1; }
 };
 
-/// How a case is drawn: the renderer, or a fake in a test.
+/// How a case is drawn: by the renderer, or by a fake in a test.
 struct StabilityDraw {
     std::function<std::vector<ObjectResources>(const Scene &)> load;
     /// With object ids, of the size that is asked for.
@@ -62,28 +64,26 @@ StabilityRow judge_stability(const Frame &drawn, const ReferenceFrame &truth, co
 
 /// What the pictures of a case are multiplied by: 1, or what makes the brightest value of `truth` white where the case
 /// counts in brightest values.
-double stability_exposure(const StabilityCase &one, const ReferenceFrame &truth);
+double stability_exposure(const StabilityCase &drawn, const ReferenceFrame &truth);
 
-StabilityResult run_stability_case(const StabilityCase &one, const StabilityDraw &draw, Size size = stability_size);
+StabilityResult run_stability_case(const StabilityCase &definition, const StabilityDraw &draw,
+                                   Size size = stability_size);
 
-/// A textbook's equation in float32, per pixel, on the CPU: world-space positions, inverse() of the model matrix,
-/// normalize without a guard, 1 / (kc + kl d + kq d^2), exp2(n log2 f), a cone by a clamped quotient. `technique` gives
-/// the model alone. What it draws, it draws where the reference does.
-Frame textbook_picture(const Scene &scene, const std::vector<ObjectResources> &resources, const Technique &technique,
-                       Size size);
-
-/// stability.html, .json, .csv. `renderer` and `version` are shown.
-struct StabilityRun {
-    std::vector<StabilityResult> results;
-    std::string renderer, version;
-};
-std::string stability_html(const StabilityRun &run);
-std::string stability_json(const StabilityRun &run);
-std::string stability_csv(const StabilityRun &run);
-/// What the page and the window say of a bound and a cost: "1.00e-06 of the brightest value", "1.04 times ...".
-std::string bound_words(const StabilityCase &of);
-std::string cost_words(double cost);
-/// The table that the command prints.
-std::string stability_table(const StabilityRun &run);
+/// Draws with render/'s Renderer, which this room cannot name. Costs are taken on `target`, which should have
+/// stability_timed_size, by the wall clock. Both must outlive what is returned.
+template <typename Renderer, typename Target> StabilityDraw cases_drawn_by(Renderer &renderer, Target &target) {
+    const auto timed = [&](const auto &draw) {
+        const auto start = std::chrono::steady_clock::now();
+        draw();
+        renderer.finish();
+        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    };
+    return {[&](const Scene &s) { return renderer.resources().load(s); },
+            [&](const Scene &s, const Technique &t, Size size) { return renderer.render(s, t, size, true); },
+            [&, timed](const Scene &s, const Technique &t) { return timed([&] { renderer.draw(s, t, target); }); },
+            [&, timed](const Scene &s, const Technique &t) {
+                return timed([&] { renderer.draw_unguarded(s, t, target); });
+            }};
+}
 
 } // namespace sandbox

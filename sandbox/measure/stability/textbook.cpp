@@ -1,4 +1,4 @@
-#include "measure/stability/stability.h"
+#include "measure/stability/textbook.h"
 
 #include "reference/mesh_scene.h"
 #include "scene/space.h"
@@ -95,8 +95,8 @@ class TextbookScene {
     [[nodiscard]] glm::vec3 color(const Hit &hit, const glm::uvec3 &triangle, const glm::vec3 &weights) const {
         const Object &object = scene_.objects[hit.object - 1];
         const TextbookObject &world = objects_[hit.object - 1];
-        const auto blend = [&](const std::vector<glm::vec3> &of) {
-            return weights.x * of[triangle.x] + weights.y * of[triangle.y] + weights.z * of[triangle.z];
+        const auto blend = [&](const std::vector<glm::vec3> &v) {
+            return weights.x * v[triangle.x] + weights.y * v[triangle.y] + weights.z * v[triangle.z];
         };
         const glm::vec3 p = blend(world.positions);
         glm::vec3 n = glm::normalize(blend(world.normals));

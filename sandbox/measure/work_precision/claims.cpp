@@ -1,16 +1,13 @@
-#include "measure/work_precision/findings.h"
+#include "measure/work_precision/claims.h"
 
-#include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <fmt/format.h>
 
 namespace sandbox {
 namespace {
 
 std::string two_digits(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, value >= 100 ? "%.0f" : "%.2g", value);
-    return text;
+    return value >= 100 ? fmt::format("{:.0f}", value) : fmt::format("{:.2g}", value);
 }
 
 std::string error_words(double error, double base) {
@@ -46,11 +43,10 @@ class Answers {
         if (!row || !base || !measured_.rows[*row].complete() || !measured_.rows[*base].complete()) {
             return;
         }
+        const auto rmse = [&](std::size_t i) { return measured_.rows[i].errors->total.norms.rmse; };
         const auto time = time_ratio(measured_, *row, *base);
-        claims.push_back({says, *row, *base, *time,
-                          error_words(measured_.rows[*row].errors->total.norms.rmse,
-                                      measured_.rows[*base].errors->total.norms.rmse) +
-                              ", " + time_words(*time)});
+        const std::string finding = error_words(rmse(*row), rmse(*base)) + ", " + time_words(*time);
+        claims.push_back({says, *row, *base, *time, finding});
     }
 
     std::vector<Claim> claims;
@@ -64,9 +60,7 @@ class Answers {
 
 std::vector<Claim> answer_claims(const WorkPrecision &measured) {
     Answers answers(measured);
-    auto models = models_of(measured);
-    std::ranges::reverse(models); // the richest first
-    for (const Model model : models) {
+    for (const Model model : richest_first(measured)) {
         const Technique per_pixel{.frequency = Frequency::per_pixel, .model = model};
         const Technique per_vertex{.frequency = Frequency::per_vertex, .model = model};
         const Technique vectors{.frequency = Frequency::interpolated_vectors, .model = model};

@@ -10,9 +10,9 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 TimeAndError time_and_error(const MeasuredRow &row, Model model, ErrorNorm norm) {
-    const bool asked = row.complete() && is_base(row) && row.plan.technique.model == model;
-    return asked ? TimeAndError{row.time->median, value_of(row.errors->total.norms, norm)}
-                 : TimeAndError{infinite, infinite};
+    const bool counts = row.complete() && is_base(row) && row.plan.technique.model == model;
+    return counts ? TimeAndError{row.time->median, value_of(row.errors->total.norms, norm)}
+                  : TimeAndError{infinite, infinite};
 }
 
 std::optional<double> order(double coarse, double fine) {
@@ -57,12 +57,8 @@ void add_steps(const WorkPrecision &measured, const Technique &technique, std::v
 
 } // namespace
 
-std::string_view name_of(ErrorNorm norm) {
-    return norm == ErrorNorm::rmse ? "RMSE" : norm == ErrorNorm::p99 ? "99th percentile" : "largest";
-}
-double value_of(const Norms &norms, ErrorNorm norm) {
-    return norm == ErrorNorm::rmse ? norms.rmse : norm == ErrorNorm::p99 ? norms.p99_abs : norms.max_abs;
-}
+std::string_view name_of(ErrorNorm norm) { return quantity_of(norm).heading; }
+double value_of(const Norms &norms, ErrorNorm norm) { return quantity_of(norm).value(norms).value_or(infinite); }
 std::string_view name_of(Frequency frequency) { return frequency_values[static_cast<std::size_t>(frequency)].name; }
 std::string_view name_of(Model model) { return model_values[static_cast<std::size_t>(model)].name; }
 std::string_view name_of(RowGroup group) {
@@ -94,6 +90,11 @@ std::vector<Model> models_of(const WorkPrecision &measured) {
         }
     }
     return models;
+}
+
+std::vector<Model> richest_first(const WorkPrecision &measured) {
+    const std::vector<Model> models = models_of(measured);
+    return {models.rbegin(), models.rend()};
 }
 
 std::size_t own_mesh(const WorkPrecision &measured) {

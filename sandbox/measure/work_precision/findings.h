@@ -9,12 +9,14 @@
 #include <string_view>
 #include <vector>
 
-/// What the rows of a measurement say. Rows are named by their index.
+/// What follows from the rows of a measurement. A row is named by its index.
 namespace sandbox {
 
-/// Of the total error, in the order that tables show them.
-enum class ErrorNorm { rmse, p99, max };
+/// The rows of norm_quantities.
+enum class ErrorNorm { rmse, mean, max, p99 };
+/// Those of the total error that tables and plots show, in their order.
 constexpr ErrorNorm error_norms[]{ErrorNorm::rmse, ErrorNorm::p99, ErrorNorm::max};
+constexpr const Quantity<Norms> &quantity_of(ErrorNorm norm) { return norm_quantities[static_cast<std::size_t>(norm)]; }
 std::string_view name_of(ErrorNorm norm);
 double value_of(const Norms &norms, ErrorNorm norm);
 
@@ -29,13 +31,20 @@ std::optional<std::size_t> find_row(const WorkPrecision &measured, std::size_t m
 bool is_base(const MeasuredRow &row);
 /// The models that some row has, in the order lambert, phong, blinn-phong.
 std::vector<Model> models_of(const WorkPrecision &measured);
+/// The same from blinn_phong to lambert, as pages list them.
+std::vector<Model> richest_first(const WorkPrecision &measured);
 /// The mesh that is the scene's own.
 std::size_t own_mesh(const WorkPrecision &measured);
 
-/// Of the convergence from one rung of the ladder to the next, half as wide: p = log2(e_h / e_h/2). Nothing where
-/// either error is 0 or not finite.
+/// Orders of convergence from one rung of the ladder to the next, whose triangles are half as wide:
+/// p = log2(e_h / e_h/2). Nothing where either error is 0 or not finite.
 struct Orders {
     std::optional<double> max, l2, l1;
+};
+inline constexpr Quantity<Orders> order_quantities[]{
+    {"max", "max", "", "order of the largest error", &Orders::max},
+    {"l2", "L2", "", "order of the root mean square error", &Orders::l2},
+    {"l1", "L1", "", "order of the mean error", &Orders::l1},
 };
 enum class Settling {
     settled,  ///< the L2 order is within settled_within of that of the step before
@@ -55,7 +64,8 @@ std::vector<OrderStep> convergence_orders(const WorkPrecision &measured);
 struct TimeAndError {
     double time = 0, error = 0;
 };
-/// The indices of the points that no other beats in both, by time. Points that are not finite are never among them.
+/// The indices, by time, of the points than which no other is both faster and closer. Points that are not finite are
+/// left out.
 std::vector<std::size_t> pareto_front(std::span<const TimeAndError> points);
 /// The same over the base rows of one model: each model is judged against its own truth.
 std::vector<std::size_t> pareto_front(const WorkPrecision &measured, Model model, ErrorNorm norm);
@@ -76,14 +86,5 @@ std::optional<std::size_t> base_of(const WorkPrecision &measured, std::size_t ro
 
 /// Full programs against the specialised ones; stable or textbook power against auto.
 std::vector<TimeRatio> ratios_to_base(const WorkPrecision &measured, RowGroup group);
-
-/// A claim of the kind that tutorials make, answered by two rows on the scene's own mesh.
-struct Claim {
-    std::string says;
-    std::size_t row = 0, against = 0;
-    TimeRatio time;
-    std::string finding; ///< in words, from the numbers alone
-};
-std::vector<Claim> answer_claims(const WorkPrecision &measured);
 
 } // namespace sandbox

@@ -1,5 +1,6 @@
 #include "measure/work_precision/plan.h"
 
+#include "scene/scene_format.h"
 #include "shading/features.h"
 
 #include <algorithm>
@@ -9,8 +10,6 @@
 
 namespace sandbox {
 namespace {
-
-using Load = std::function<std::vector<ObjectResources>(const Scene &)>;
 
 /// The count by which a shape leads the ladder, and its rank among the shapes; nothing for a mesh from a file, which
 /// no ladder can refine.
@@ -39,45 +38,34 @@ std::optional<double> leading_rings(const Scene &scene) {
     return best ? std::optional(best->rings) : std::nullopt;
 }
 
-/// To counts at the first rung, then doubled; within what a scene file may say.
+/// To counts at the first rung, then doubled.
 struct Rescale {
     double to_first;
     int doublings;
 
-    [[nodiscard]] int operator()(int count, int least, int most) const {
-        const int first = std::max(least, static_cast<int>(std::lround(count * to_first)));
-        return std::min(first << doublings, most);
+    /// Every count of the shape, within what a scene file may say.
+    template <class S> void operator()(S &shape) const {
+        for_each_field<S>([&](const auto &field) {
+            auto &value = shape.*field.member;
+            if constexpr (std::is_same_v<decltype(value), int &>) {
+                const int first =
+                    std::max(static_cast<int>(field.range.low), static_cast<int>(std::lround(value * to_first)));
+                value = std::min(first << doublings, static_cast<int>(field.range.high));
+            }
+        });
     }
 };
 
-constexpr int most_steps = 2048, most_box_divisions = 512, most_plane_divisions = 1024;
-
-void rescale(SphereShape &shape, const Rescale &to) {
-    shape.rings = to(shape.rings, 2, most_steps);
-    shape.segments = to(shape.segments, 3, most_steps);
-}
-void rescale(TorusShape &shape, const Rescale &to) {
-    shape.rings = to(shape.rings, 3, most_steps);
-    shape.segments = to(shape.segments, 3, most_steps);
-}
-void rescale(CylinderShape &shape, const Rescale &to) {
-    shape.segments = to(shape.segments, 3, most_steps);
-    shape.rings = to(shape.rings, 1, most_steps);
-}
-void rescale(BoxShape &shape, const Rescale &to) { shape.divisions = to(shape.divisions, 1, most_box_divisions); }
-void rescale(PlaneShape &shape, const Rescale &to) { shape.divisions = to(shape.divisions, 1, most_plane_divisions); }
-void rescale(ObjShape &, const Rescale &) {}
-
-/// A full program chooses at run time, so its features say little: it is as its specialised twin is.
+/// The full program chooses at run time, so its features say little; those of its specialised twin tell them apart.
 Technique specialised(Technique technique) {
     technique.program = Program::specialised;
     return technique;
 }
 
-/// Takes techniques whose programs no earlier one has; names the earlier one of the others.
-class Chosen {
+/// Keeps techniques whose programs differ from all earlier ones; notes the others as omitted.
+class Selection {
   public:
-    Chosen(const Scene &scene, std::vector<ObjectResources> resources)
+    Selection(const Scene &scene, std::vector<ObjectResources> resources)
         : scene_(scene), resources_(std::move(resources)) {}
 
     [[nodiscard]] bool has(const Technique &technique) const {
@@ -88,13 +76,13 @@ class Chosen {
             return; // no such technique
         }
         const auto features = derive_features(scene_, specialised(technique), resources_);
-        for (const auto &[other, its_features] : taken_) {
+        for (const auto &[other, its_features] : kept_) {
             if (other.program == technique.program && its_features == features) {
                 omitted.push_back({to_string(technique), "the same program as " + to_string(other)});
                 return;
             }
         }
-        taken_.emplace_back(technique, features);
+        kept_.emplace_back(technique, features);
         rows.emplace_back(technique, group);
     }
 
@@ -104,7 +92,7 @@ class Chosen {
   private:
     const Scene &scene_;
     std::vector<ObjectResources> resources_;
-    std::vector<std::pair<Technique, std::vector<Features>>> taken_;
+    std::vector<std::pair<Technique, std::vector<Features>>> kept_;
 };
 
 void for_frequencies_and_models(const std::function<void(const Technique &)> &visit) {
@@ -118,16 +106,16 @@ void for_frequencies_and_models(const std::function<void(const Technique &)> &vi
     }
 }
 
-/// Of the techniques that are there to be compared with.
-void add_variants(Chosen &chosen) {
+/// Adds the full program, the shortcuts and the other powers of every technique that was selected.
+void add_variants(Selection &selection) {
     for_frequencies_and_models([&](const Technique &t) {
-        if (!chosen.has(t)) {
+        if (!selection.has(t)) {
             return;
         }
         const auto variant = [&](auto member, auto value, RowGroup group) {
             Technique changed = t;
             changed.*member = value;
-            chosen.add(changed, group);
+            selection.add(changed, group);
         };
         variant(&Technique::program, Program::full, RowGroup::full_program);
         variant(&Technique::attenuation, AttenuationAt::interpolated, RowGroup::claim);
@@ -186,7 +174,7 @@ Scene with_rings(const Scene &scene, int rings, int first_rings) {
     const Rescale to{first_rings / *lead, doublings};
     Scene rescaled = scene;
     for (Object &object : rescaled.objects) {
-        std::visit([&](auto &shape) { rescale(shape, to); }, object.mesh);
+        std::visit(to, object.mesh);
     }
     return rescaled;
 }
@@ -194,18 +182,18 @@ Scene with_rings(const Scene &scene, int rings, int first_rings) {
 Plan plan_report(const Scene &scene, const PlanOptions &options, const Load &load) {
     Plan plan;
     plan.meshes = plan_meshes(scene, options, load);
-    Chosen chosen(scene, load(scene));
-    for_frequencies_and_models([&](const Technique &t) { chosen.add(t, RowGroup::ladder); });
-    const auto base = chosen.rows;
-    add_variants(chosen);
+    Selection selection(scene, load(scene));
+    for_frequencies_and_models([&](const Technique &t) { selection.add(t, RowGroup::ladder); });
+    const auto base = selection.rows;
+    add_variants(selection);
     for (std::size_t m = 0; m < plan.meshes.size(); ++m) {
-        const auto &rows = plan.meshes[m].own ? chosen.rows : base;
+        const auto &rows = plan.meshes[m].own ? selection.rows : base;
         for (const auto &[technique, group] : rows) {
             const bool between = group == RowGroup::ladder && !plan.meshes[m].ladder;
             plan.rows.push_back({m, technique, between ? RowGroup::own_mesh : group});
         }
     }
-    plan.omitted = chosen.omitted;
+    plan.omitted = selection.omitted;
     return plan;
 }
 

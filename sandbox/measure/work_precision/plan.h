@@ -57,8 +57,10 @@ struct Plan {
 /// fixed at `first_rings` and doubled from there, so that every rung halves every triangle. OBJ files keep their mesh.
 Scene with_rings(const Scene &scene, int rings, int first_rings);
 
-/// `load` gives a scene's meshes, for the features that tell equal programs.
-Plan plan_report(const Scene &scene, const PlanOptions &options,
-                 const std::function<std::vector<ObjectResources>(const Scene &)> &load);
+/// Gives the meshes and textures of a scene.
+using Load = std::function<std::vector<ObjectResources>(const Scene &)>;
+
+/// `load` is asked for the meshes: they decide which techniques have equal programs.
+Plan plan_report(const Scene &scene, const PlanOptions &options, const Load &load);
 
 } // namespace sandbox

@@ -12,7 +12,6 @@ namespace sandbox {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using Resourced = std::vector<ObjectResources>;
 
 /// Adds the time that it lives to a sum.
 class Stopwatch {
@@ -29,7 +28,7 @@ class Stopwatch {
 
 Technique truth_technique(Model model) { return {.frequency = Frequency::per_pixel, .model = model}; }
 
-/// What the reference makes no difference of.
+/// Drops the keys that do not change the reference.
 Technique as_referenced(Technique technique) {
     technique.power = Power::automatic;
     technique.program = Program::specialised;
@@ -177,7 +176,7 @@ class Measurement {
     const DrawRows &draw_;
     const Progress &progress_;
     double share_ = 0;
-    std::vector<Resourced> resources_; ///< by mesh
+    std::vector<std::vector<ObjectResources>> resources_; ///< by mesh
     std::map<Model, ReferenceFrame> truths_;
     std::map<std::string, ReferenceFrame> frames_;   ///< of frames_mesh_, by technique
     std::map<Model, std::optional<Norms>> geometry_; ///< of frames_mesh_
@@ -205,8 +204,7 @@ RunTime run_time(std::vector<double> samples) {
 }
 
 ReferenceFrame report_truth(Model model, bool analytic, const std::vector<PlannedMesh> &meshes, Size size,
-                            const std::function<std::vector<ObjectResources>(const Scene &)> &load,
-                            const Progress &progress) {
+                            const Load &load, const Progress &progress) {
     const Scene &scene = meshes.back().scene;
     return render_reference(scene, load(scene), truth_technique(model), size,
                             analytic ? Surface::analytic : Surface::mesh, progress);

@@ -18,6 +18,12 @@ struct RunTime {
     std::vector<double> samples; ///< in the order of the rounds; warm-ups are not among them
     double min = 0, lower_quartile = 0, median = 0, upper_quartile = 0;
 };
+inline constexpr Quantity<RunTime> run_time_quantities[]{
+    {"median", "median, ms", "ms", "median time of a frame", &RunTime::median},
+    {"min", "least", "ms", "shortest time of a frame", &RunTime::min},
+    {"lower_quartile", "", "ms", "a quarter of the frames took less", &RunTime::lower_quartile},
+    {"upper_quartile", "", "ms", "a quarter of the frames took longer", &RunTime::upper_quartile},
+};
 /// `samples` must not be empty.
 RunTime run_time(std::vector<double> samples);
 
@@ -40,6 +46,12 @@ struct MeasuredRow {
 struct Accounting {
     double drawing = 0, reference = 0, metrics = 0, other = 0;
 };
+inline constexpr Quantity<Accounting> accounting_quantities[]{
+    {"drawing", "drawing", "s", "drawing", &Accounting::drawing},
+    {"reference", "truth", "s", "the truth in double precision", &Accounting::reference},
+    {"metrics", "comparing", "s", "comparing pictures", &Accounting::metrics},
+    {"other", "all else", "s", "all else", &Accounting::other},
+};
 
 struct WorkPrecision {
     Scene scene;
@@ -53,10 +65,9 @@ struct WorkPrecision {
     Accounting seconds;
 };
 
-/// How a row is drawn: the renderer, or a fake in a test.
+/// How a row is drawn: by the renderer, or by a fake in a test.
 struct DrawRows {
-    /// The meshes and textures of a scene.
-    std::function<std::vector<ObjectResources>(const Scene &)> load;
+    Load load;
     /// The picture with object ids. Throws InputError where the technique is refused for the scene.
     std::function<Frame(const Scene &, const Technique &)> picture;
     /// Draws without object ids and without reading back, waits until done; milliseconds.
@@ -71,7 +82,16 @@ WorkPrecision measure_work_precision(const Scene &scene, const PlanOptions &opti
 /// The truth that a row of this model is judged against: per-pixel, every fault off, on the analytic surface or, where
 /// `analytic` is false, on the last of `meshes`, the finest.
 ReferenceFrame report_truth(Model model, bool analytic, const std::vector<PlannedMesh> &meshes, Size size,
-                            const std::function<std::vector<ObjectResources>(const Scene &)> &load,
-                            const Progress &progress = {});
+                            const Load &load, const Progress &progress = {});
+
+/// Draws with render/'s Renderer, which this room cannot name. Pictures have the size of `target`; frames are timed by
+/// `clock` (FrameClock). All three must outlive what is returned.
+template <typename Renderer, typename Target, typename Clock>
+DrawRows rows_drawn_by(Renderer &renderer, Target &target, Clock &clock) {
+    return {
+        [&](const Scene &s) { return renderer.resources().load(s); },
+        [&](const Scene &s, const Technique &t) { return renderer.render(s, t, target.size(), true); },
+        [&](const Scene &s, const Technique &t) { return clock.milliseconds([&] { renderer.draw(s, t, target); }); }};
+}
 
 } // namespace sandbox

@@ -3,6 +3,7 @@
 #include "measure/report/text.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 namespace sandbox {
 
@@ -33,21 +34,24 @@ std::vector<std::string> row_lines(const WorkPrecision &measured, std::size_t in
     const MeasuredRow &row = measured.rows[index];
     const PlannedMesh &mesh = measured.meshes[row.plan.mesh];
     std::vector<std::string> lines{to_string(row.plan.technique),
-                                   mesh_words(mesh) + ", " + std::to_string(mesh.triangles) + " triangles"};
+                                   fmt::format("{}, {} triangles", mesh_words(mesh), mesh.triangles)};
     if (row.time) {
-        lines.push_back(milliseconds_text(row.time->median) + " ms, half of the frames within " +
-                        milliseconds_text(row.time->lower_quartile) + " to " +
-                        milliseconds_text(row.time->upper_quartile));
+        lines.push_back(fmt::format("{} ms, half of the frames within {} to {}", milliseconds_text(row.time->median),
+                                    milliseconds_text(row.time->lower_quartile),
+                                    milliseconds_text(row.time->upper_quartile)));
     }
     if (row.errors) {
-        const Norms &total = row.errors->total.norms;
-        const ErrorSplit &split = row.errors->split;
-        lines.push_back("RMSE " + short_number(total.rmse) + ", 99th percentile " + short_number(total.p99_abs) +
-                        ", largest " + short_number(total.max_abs));
-        lines.push_back("RMSE of its parts: interpolation " + short_number(split.interpolation.rmse) + ", geometry " +
-                        short_number(split.geometry ? split.geometry->rmse : 0) + ",");
-        lines.push_back("float32 " + short_number(split.arithmetic.rmse) + ", rounding to 8 bits " +
-                        short_number(split.quantisation.rmse));
+        std::vector<std::string> errors, parts;
+        for (const ErrorNorm norm : error_norms) {
+            errors.push_back(
+                fmt::format("{} {}", name_of(norm), short_number(value_of(row.errors->total.norms, norm))));
+        }
+        for (const ErrorPart &part : error_parts) {
+            parts.push_back(fmt::format("{} {}", part.meaning, short_number(part.rmse(row.errors->split))));
+        }
+        lines.push_back(fmt::format("{}", fmt::join(errors, ", ")));
+        lines.push_back(fmt::format("RMSE of its parts: {},", fmt::join(parts.begin(), parts.begin() + 2, ", ")));
+        lines.push_back(fmt::format("{}", fmt::join(parts.begin() + 2, parts.end(), ", ")));
     }
     return lines;
 }

@@ -1,7 +1,5 @@
 #include "ui/jobs/report_job.h"
 
-#include "measure/drawn_by.h"
-#include "measure/report/pictures.h"
 #include "render/context.h"
 #include "render/frame_clock.h"
 
@@ -9,8 +7,8 @@ namespace sandbox {
 
 namespace {
 
-/// The same, and the job says what is being drawn.
-DrawRows told(const DrawRows &draw, JobReporter &reporter) {
+/// Draws the same, and tells the job's reporter what.
+DrawRows reported(const DrawRows &draw, JobReporter &reporter) {
     return {draw.load,
             [&](const Scene &s, const Technique &t) {
                 reporter.say("error of " + to_string(t));
@@ -30,7 +28,7 @@ ReportRun measure(const Scene &scene, bool quick, const DrawnBy &by, Renderer &r
     ReportRun run = new_report_run(by.renderer, by.opengl, std::string(clock.name()));
     run.quick = quick;
     reporter.say("the truth, in double precision");
-    run.measured = measure_work_precision(scene, options, told(draw, reporter),
+    run.measured = measure_work_precision(scene, options, reported(draw, reporter),
                                           [&](double share) { return reporter.report(share); });
     if (run.measured.finished) {
         reporter.say("pictures for the report");

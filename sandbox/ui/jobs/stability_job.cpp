@@ -1,7 +1,5 @@
 #include "ui/jobs/stability_job.h"
 
-#include "measure/drawn_by.h"
-
 namespace sandbox {
 
 StabilityJob::StabilityJob(const DrawingSupplies &supplies, std::vector<std::pair<std::size_t, StabilityCase>> cases)
@@ -12,14 +10,14 @@ StabilityJob::Nothing StabilityJob::run(Renderer &renderer, JobReporter &reporte
     Target target(stability_timed_size);
     const StabilityDraw draw = cases_drawn_by(renderer, target);
     for (std::size_t i = 0; i < cases_.size(); ++i) {
-        const auto &[place, one] = cases_[i];
-        reporter.say(one.name);
+        const auto &[number, definition] = cases_[i];
+        reporter.say(definition.name);
         if (!reporter.report(static_cast<double>(i) / static_cast<double>(cases_.size()))) {
             break;
         }
-        StabilityResult result = run_stability_case(one, draw);
+        StabilityResult result = run_stability_case(definition, draw);
         const std::lock_guard lock(mutex_);
-        finished_.emplace_back(place, std::move(result));
+        finished_.emplace_back(number, std::move(result));
     }
     return {};
 }

@@ -13,10 +13,10 @@ namespace sandbox {
 /// Runs cases beside the window; their results can be had one by one.
 class StabilityJob {
   public:
-    /// `cases` with their places in the list. Starts at once. Throws MachineError (see WorkerContext).
+    /// `cases` with their numbers in the list. Starts at once. Throws MachineError (see WorkerContext).
     StabilityJob(const DrawingSupplies &supplies, std::vector<std::pair<std::size_t, StabilityCase>> cases);
 
-    /// What was finished since the last call, with its place in the list.
+    /// What was finished since the last call, with its number in the list.
     std::vector<std::pair<std::size_t, StabilityResult>> take_finished();
     [[nodiscard]] BackgroundJob &job() { return drawing_.job(); }
 

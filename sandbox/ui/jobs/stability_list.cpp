@@ -1,9 +1,9 @@
 #include "ui/jobs/stability_list.h"
 
-#include "measure/report/text.h"
+#include "measure/report/stability_report.h"
 
 #include <algorithm>
-#include <cstdio>
+#include <fmt/format.h>
 
 namespace sandbox {
 
@@ -12,7 +12,7 @@ namespace {
 Verdict verdict_of(bool passed) { return passed ? Verdict::holds : Verdict::breaks; }
 
 std::string verdict_text(Verdict verdict, const StabilityRow &row) {
-    return verdict_word(verdict) + (", " + figure_text(row));
+    return fmt::format("{}, {}", verdict_word(verdict), error_words(row));
 }
 
 } // namespace
@@ -20,18 +20,18 @@ std::string verdict_text(Verdict verdict, const StabilityRow &row) {
 std::vector<ListedCase> list_cases(std::vector<StabilityCase> cases) {
     std::vector<ListedCase> list;
     list.reserve(cases.size());
-    for (StabilityCase &one : cases) {
-        list.push_back({std::move(one), std::nullopt});
+    for (StabilityCase &definition : cases) {
+        list.push_back({std::move(definition), std::nullopt});
     }
     return list;
 }
 
-Verdict textbook_verdict(const ListedCase &one) {
-    return one.result ? verdict_of(one.result->textbook.passed) : Verdict::not_run;
+Verdict textbook_verdict(const ListedCase &listed) {
+    return listed.result ? verdict_of(listed.result->textbook.passed) : Verdict::not_run;
 }
 
-Verdict robust_verdict(const ListedCase &one) {
-    return one.result ? verdict_of(one.result->passed()) : Verdict::not_run;
+Verdict robust_verdict(const ListedCase &listed) {
+    return listed.result ? verdict_of(listed.result->passed()) : Verdict::not_run;
 }
 
 const char *verdict_word(Verdict verdict) {
@@ -39,68 +39,60 @@ const char *verdict_word(Verdict verdict) {
     return words[static_cast<int>(verdict)];
 }
 
-std::string figure_text(const StabilityRow &row) {
-    const auto bad = row.metrics.nonfinite_pixels;
-    return bad > 0 ? std::to_string(bad) + " not finite" : short_number(row.error);
+std::string textbook_text(const ListedCase &listed) {
+    return listed.result ? verdict_text(textbook_verdict(listed), listed.result->textbook)
+                         : verdict_word(Verdict::not_run);
 }
 
-std::string textbook_text(const ListedCase &one) {
-    return one.result ? verdict_text(textbook_verdict(one), one.result->textbook) : verdict_word(Verdict::not_run);
+std::string robust_text(const ListedCase &listed) {
+    return listed.result ? verdict_text(robust_verdict(listed), listed.result->worst())
+                         : verdict_word(Verdict::not_run);
 }
 
-std::string robust_text(const ListedCase &one) {
-    return one.result ? verdict_text(robust_verdict(one), one.result->worst()) : verdict_word(Verdict::not_run);
-}
-
-std::string cost_text(const ListedCase &one) {
-    if (!one.result || !one.result->cost) {
-        return "";
-    }
-    char text[24];
-    std::snprintf(text, sizeof text, "%.2fx", *one.result->cost);
-    return text;
+std::string cost_text(const ListedCase &listed) {
+    const auto cost = listed.result ? listed.result->cost_ratio() : std::nullopt;
+    return cost ? fmt::format("{:.2f}x", *cost) : "";
 }
 
 std::string summary(const std::vector<ListedCase> &cases) {
     const auto count = [&](Verdict (*verdict)(const ListedCase &), Verdict wanted) {
-        return std::ranges::count_if(cases, [&](const ListedCase &one) { return verdict(one) == wanted; });
+        return std::ranges::count_if(cases, [&](const ListedCase &listed) { return verdict(listed) == wanted; });
     };
     const auto broken = count(robust_verdict, Verdict::breaks);
     const auto run = count(robust_verdict, Verdict::holds) + broken;
-    const std::string all = std::to_string(cases.size());
     if (run == 0) {
-        return all + " cases, none run yet";
+        return fmt::format("{} cases, none run yet", cases.size());
     }
-    const auto some = [](auto number) { return number == 0 ? std::string("none") : std::to_string(number); };
-    return std::to_string(run) + " of " + all + " run: robust " +
-           (broken == 0 ? "holds in all" : "breaks in " + some(broken)) + ", the textbook breaks in " +
-           some(count(textbook_verdict, Verdict::breaks));
+    const auto textbook = count(textbook_verdict, Verdict::breaks);
+    return fmt::format("{} of {} run: robust {}, the textbook breaks in {}", run, cases.size(),
+                       broken == 0 ? "holds in all" : fmt::format("breaks in {}", broken),
+                       textbook == 0 ? "none" : fmt::format("{}", textbook));
 }
 
-std::string short_name(const StabilityCase &one) {
-    const std::string prefix = one.group + "-";
-    return one.name.starts_with(prefix) ? one.name.substr(prefix.size()) : one.name;
+std::string short_name(const StabilityCase &definition) {
+    const std::string prefix = definition.group + "-";
+    return definition.name.starts_with(prefix) ? definition.name.substr(prefix.size()) : definition.name;
 }
 
-bool is_shown(const ListedCase &one, const CaseFilter &filter) {
-    return (filter.group.empty() || one.of.group == filter.group) &&
-           (!filter.textbook_breaks || textbook_verdict(one) == Verdict::breaks);
+bool is_shown(const ListedCase &listed, const CaseFilter &filter) {
+    return (filter.group.empty() || listed.definition.group == filter.group) &&
+           (!filter.textbook_breaks || textbook_verdict(listed) == Verdict::breaks);
 }
 
 std::vector<std::string> groups_of(const std::vector<ListedCase> &cases) {
     std::vector<std::string> groups;
-    for (const ListedCase &one : cases) {
-        if (std::ranges::find(groups, one.of.group) == groups.end()) {
-            groups.push_back(one.of.group);
+    for (const ListedCase &listed : cases) {
+        if (std::ranges::find(groups, listed.definition.group) == groups.end()) {
+            groups.push_back(listed.definition.group);
         }
     }
     return groups;
 }
 
-Document case_document(const StabilityCase &one, double exposure) {
-    const Technique robust = one.techniques.front();
-    Document document = document_of(one.name, one.scene, one.textbook.value_or(robust), robust);
-    if (!one.textbook) {
+Document case_document(const StabilityCase &definition, double exposure) {
+    const Technique robust = definition.techniques.front();
+    Document document = document_of(definition.name, definition.scene, definition.textbook.value_or(robust), robust);
+    if (!definition.textbook) {
         document.textbook = robust;
     }
     document.exposure = exposure;
@@ -110,9 +102,9 @@ Document case_document(const StabilityCase &one, double exposure) {
 
 std::vector<StabilityResult> results_of(const std::vector<ListedCase> &cases) {
     std::vector<StabilityResult> results;
-    for (const ListedCase &one : cases) {
-        if (one.result) {
-            results.push_back(*one.result);
+    for (const ListedCase &listed : cases) {
+        if (listed.result) {
+            results.push_back(*listed.result);
         }
     }
     return results;

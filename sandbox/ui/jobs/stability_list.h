@@ -11,7 +11,7 @@
 namespace sandbox {
 
 struct ListedCase {
-    StabilityCase of;
+    StabilityCase definition;
     std::optional<StabilityResult> result; ///< none: not run yet
 };
 
@@ -19,35 +19,33 @@ std::vector<ListedCase> list_cases(std::vector<StabilityCase> cases);
 
 enum class Verdict { not_run, holds, breaks };
 
-/// Of the textbook's form, and of the program's own: all of the case's techniques.
-Verdict textbook_verdict(const ListedCase &one);
-Verdict robust_verdict(const ListedCase &one);
+/// Of the textbook's form, and of the program's own, which must hold for all of the case's techniques.
+Verdict textbook_verdict(const ListedCase &listed);
+Verdict robust_verdict(const ListedCase &listed);
 const char *verdict_word(Verdict verdict); ///< "not run", "holds", "breaks"
-/// The largest error, or how many pixels are not finite: "1.2e-06", "3 not finite".
-std::string figure_text(const StabilityRow &row);
 /// "not run", "holds, 1.2e-06", "breaks, 0.31", "breaks, 3 not finite".
-std::string textbook_text(const ListedCase &one);
-std::string robust_text(const ListedCase &one);
+std::string textbook_text(const ListedCase &listed);
+std::string robust_text(const ListedCase &listed);
 /// "1.04x", or nothing where there is no cost.
-std::string cost_text(const ListedCase &one);
+std::string cost_text(const ListedCase &listed);
 
 /// "39 of 106 run: robust holds in all, the textbook breaks in 12"
 std::string summary(const std::vector<ListedCase> &cases);
 
-/// Without its group, which stands above it: "light-on-the-surface".
-std::string short_name(const StabilityCase &one);
+/// The name without its group, under which it is listed: "light-on-the-surface".
+std::string short_name(const StabilityCase &definition);
 
 struct CaseFilter {
     std::string group;            ///< empty: all
     bool textbook_breaks = false; ///< only where it is known to
 };
-bool is_shown(const ListedCase &one, const CaseFilter &filter);
-/// In their order.
+bool is_shown(const ListedCase &listed, const CaseFilter &filter);
+/// Every group once, in order.
 std::vector<std::string> groups_of(const std::vector<ListedCase> &cases);
 
 /// A is the textbook's form (on the processor where no program has it), B the robust one; the whole of the case's
 /// square picture is seen. `exposure`: see stability_exposure().
-Document case_document(const StabilityCase &one, double exposure);
+Document case_document(const StabilityCase &definition, double exposure);
 
 /// What was run, in the order of the list.
 std::vector<StabilityResult> results_of(const std::vector<ListedCase> &cases);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "measure/report/report.h"
-#include "measure/stability/stability.h"
+#include "measure/report/stability_report.h"
 
 #include <filesystem>
 #include <string>

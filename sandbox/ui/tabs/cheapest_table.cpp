@@ -9,10 +9,6 @@ namespace sandbox {
 
 namespace {
 
-std::string short_mesh(const PlannedMesh &mesh) {
-    return mesh.ladder ? std::to_string(mesh.rings) + " rings" : "own mesh";
-}
-
 void technique_cell(Session &session, const WorkPrecision &measured, std::size_t row) {
     const PlannedRow &plan = measured.rows[row].plan;
     const float em = ImGui::GetFontSize();
@@ -22,7 +18,7 @@ void technique_cell(Session &session, const WorkPrecision &measured, std::size_t
                 ImGui::GetColorU32(series_color(style)));
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + em * 1.2F);
     const std::string name =
-        std::string(name_of(plan.technique.frequency)) + ", " + short_mesh(measured.meshes[plan.mesh]);
+        fmt::format("{}, {}", name_of(plan.technique.frequency), short_mesh_words(measured.meshes[plan.mesh]));
     ImGui::PushID(static_cast<int>(row));
     ImGui::Selectable(name.c_str(), false, ImGuiSelectableFlags_SpanAllColumns);
     ImGui::PopID();

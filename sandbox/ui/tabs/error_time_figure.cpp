@@ -82,7 +82,7 @@ void error_time_figure(Session &session, const WorkPrecision &measured, const Er
     plot.height = static_cast<double>(size.y);
     set_margins(plot);
     const PlotLayout layout = lay_out(plot);
-    if (std::ranges::all_of(layout.series, [](const PlacedSeries &series) { return series.points.empty(); })) {
+    if (std::ranges::all_of(layout.series, [](const PlotSeries &series) { return series.points.empty(); })) {
         const char *why = plot.series.empty() ? "Nothing to plot: all of it is hidden, or nothing was timed."
                                               : "No error at all: every picture is exactly the truth.";
         ImGui::GetWindowDrawList()->AddText(corner, ImGui::GetColorU32(quiet_text()), why);

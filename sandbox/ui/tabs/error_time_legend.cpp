@@ -8,7 +8,7 @@ namespace sandbox {
 namespace {
 
 void legend_entry(Session &session, ErrorTimeView &view, std::size_t series) {
-    const std::string name(name_of(plotted_frequencies[series]));
+    const std::string name(name_of(all_frequencies[series]));
     const float em = ImGui::GetFontSize();
     const float sample = em * 1.9F;
     const ImVec2 size{sample + ImGui::CalcTextSize(name.c_str()).x + em * 0.3F, ImGui::GetFrameHeight()};
@@ -20,7 +20,7 @@ void legend_entry(Session &session, ErrorTimeView &view, std::size_t series) {
         view.hidden[series] = !view.hidden[series];
     }
     const bool hidden = view.hidden[series];
-    hint_for_item(session, hidden ? "Click: shows this technique again." : "Click: hides this technique.");
+    hint_for_item(session, hidden ? "Click to show this technique again." : "Click to hide this technique.");
     ImVec4 color = series_color(static_cast<int>(series));
     color.w = hidden ? 0.3F : 1;
     const ImU32 packed = ImGui::GetColorU32(color);
@@ -58,7 +58,7 @@ void front_entry() {
 } // namespace
 
 void error_time_legend(Session &session, ErrorTimeView &view) {
-    for (std::size_t series = 0; series < std::size(plotted_frequencies); ++series) {
+    for (std::size_t series = 0; series < all_frequencies.size(); ++series) {
         legend_entry(session, view, series);
     }
     front_entry();

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <fmt/format.h>
 
 namespace sandbox {
 
@@ -23,7 +24,7 @@ class ErrorTimeTab final : public TabContent {
 
   private:
     void start(Session &session);
-    void settle(Session &session);
+    void finish(Session &session);
     void show_measured_model(const WorkPrecision &measured, Model wished);
     void write_files(Session &session) const;
     void controls(Session &session);
@@ -53,13 +54,13 @@ void ErrorTimeTab::start(Session &session) {
 News ErrorTimeTab::take_news(Session &session) {
     const News news = job_ ? job_->job().take_news() : News::none;
     if (news == News::result) {
-        settle(session);
+        finish(session);
     }
     return news;
 }
 
-/// The job has ended: keeps what it brought.
-void ErrorTimeTab::settle(Session &session) {
+/// Keeps the result of the job, which has ended.
+void ErrorTimeTab::finish(Session &session) {
     if (job_->job().state() == JobState::failed) {
         failure_ = "Not measured: " + job_->job().error();
         session.message = {failure_, true};
@@ -93,12 +94,12 @@ void ErrorTimeTab::controls(Session &session) {
     if (toggle_button("quick", quick_)) {
         quick_ = true;
     }
-    hint_for_item(session, "320x240, up to 64 rings, 5 rounds: an overview, in less than a minute.");
+    hint_for_item(session, "320x240, up to 64 rings, 5 rounds: an overview in less than a minute.");
     ImGui::SameLine(0, 2);
     if (toggle_button("full", !quick_)) {
         quick_ = false;
     }
-    hint_for_item(session, "640x480, up to 512 rings, 21 rounds: what can be quoted, in many minutes.");
+    hint_for_item(session, "640x480, up to 512 rings, 21 rounds: figures to quote; takes many minutes.");
     ImGui::SameLine();
     if (ImGui::Button("Run")) {
         start(session);
@@ -116,10 +117,9 @@ void ErrorTimeTab::controls(Session &session) {
 /// How the numbers were taken.
 void ErrorTimeTab::facts() const {
     const WorkPrecision &m = run_->measured;
-    wrapped_text(quiet_text(), name_ + ", " + std::to_string(m.options.size.width) + "x" +
-                                   std::to_string(m.options.size.height) + ", medians of " +
-                                   std::to_string(complete_rounds(m)) + " rounds: " + run_->machine.clock + ", on " +
-                                   run_->machine.renderer + ".");
+    wrapped_text(quiet_text(),
+                 fmt::format("{}, {}x{}, medians of {} rounds: {}, on {}.", name_, m.options.size.width,
+                             m.options.size.height, complete_rounds(m), run_->machine.clock, run_->machine.renderer));
 }
 
 void ErrorTimeTab::findings(Session &session) {

@@ -13,7 +13,7 @@ namespace sandbox {
 struct ErrorTimeView {
     Model model = Model::blinn_phong;
     ErrorNorm norm = ErrorNorm::rmse;
-    std::array<bool, std::size(plotted_frequencies)> hidden{}; ///< by series
+    std::array<bool, all_frequencies.size()> hidden{}; ///< by series
 };
 
 /// The model and the norm, on one line; `narrow`: lists that open instead of buttons.

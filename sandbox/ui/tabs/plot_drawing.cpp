@@ -106,10 +106,10 @@ void draw_axes(const Canvas &canvas, const PlotRequest &request) {
 
 void draw_guides(const Canvas &canvas) {
     const PlotLayout &l = canvas.layout();
-    for (const PlacedGuide &guide : l.guides) {
+    for (const PlotGuide &guide : l.guides) {
         const double step = 6;
         for (double x = l.left; x < l.right; x += step) {
-            canvas.line(x, guide.at, std::min(x + step / 2, l.right), guide.at, ImGui::GetColorU32(quiet_text()));
+            canvas.line(x, guide.y, std::min(x + step / 2, l.right), guide.y, ImGui::GetColorU32(quiet_text()));
         }
     }
 }
@@ -117,13 +117,13 @@ void draw_guides(const Canvas &canvas) {
 /// On the left, where few points are; two that are too close stand beside each other.
 void draw_guide_labels(const Canvas &canvas) {
     const PlotLayout &l = canvas.layout();
-    std::vector<PlacedGuide> guides = l.guides;
-    std::ranges::sort(guides, {}, &PlacedGuide::at);
+    std::vector<PlotGuide> guides = l.guides;
+    std::ranges::sort(guides, {}, &PlotGuide::y);
     const double height = ImGui::GetFontSize();
     double below = 0, right = 0; // of the label before
-    for (const PlacedGuide &guide : guides) {
+    for (const PlotGuide &guide : guides) {
         const ImVec2 size = ImGui::CalcTextSize(guide.label.c_str());
-        const double top = guide.at - height / 2;
+        const double top = guide.y - height / 2;
         const double x = (top < below ? right : l.left) + height * 0.4;
         const ImVec2 low = canvas.at(x, top);
         canvas.list().AddRectFilled({low.x - 2, low.y}, {low.x + size.x + 2, low.y + size.y},
@@ -134,20 +134,20 @@ void draw_guide_labels(const Canvas &canvas) {
     }
 }
 
-void draw_path(const Canvas &canvas, const std::vector<PlacedPoint> &points, ImU32 color, float width) {
+void draw_path(const Canvas &canvas, const std::vector<PlotPoint> &points, ImU32 color, float width) {
     std::vector<ImVec2> path;
     path.reserve(points.size());
-    for (const PlacedPoint &point : points) {
+    for (const PlotPoint &point : points) {
         path.push_back(canvas.at(point.x, point.y));
     }
     canvas.list().AddPolyline(path.data(), static_cast<int>(path.size()), color, ImDrawFlags_None, width);
 }
 
-void draw_series(const Canvas &canvas, const PlacedSeries &series, std::optional<std::size_t> hovered) {
+void draw_series(const Canvas &canvas, const PlotSeries &series, std::optional<std::size_t> hovered) {
     const float em = ImGui::GetFontSize();
     const ImVec4 color = series_color(series.style);
     draw_path(canvas, series.points, ImGui::GetColorU32(color), em * 0.12F);
-    for (const PlacedPoint &point : series.points) {
+    for (const PlotPoint &point : series.points) {
         if (point.x_high - point.x_low > 1) {
             canvas.line(point.x_low, point.y, point.x_high, point.y, faded(color, 0.6F), em * 0.08F);
         }
@@ -193,7 +193,7 @@ void draw_plot(const PlotRequest &request, const PlotLayout &layout, ImVec2 corn
     draw_guides(canvas);
     draw_guide_labels(canvas);
     draw_path(canvas, layout.front, ImGui::GetColorU32(front_color()), ImGui::GetFontSize() * 0.4F);
-    for (const PlacedSeries &series : layout.series) {
+    for (const PlotSeries &series : layout.series) {
         draw_series(canvas, series, hovered);
     }
 }
@@ -201,8 +201,8 @@ void draw_plot(const PlotRequest &request, const PlotLayout &layout, ImVec2 corn
 void draw_ring(const PlotLayout &layout, ImVec2 corner, std::size_t tag, bool right) {
     const Canvas canvas(layout, corner);
     const float em = ImGui::GetFontSize();
-    for (const PlacedSeries &series : layout.series) {
-        const auto point = std::ranges::find(series.points, tag, &PlacedPoint::tag);
+    for (const PlotSeries &series : layout.series) {
+        const auto point = std::ranges::find(series.points, tag, &PlotPoint::tag);
         if (point != series.points.end()) {
             const ImVec2 at = canvas.at(point->x, point->y);
             canvas.list().AddCircle(at, em * 0.62F, ImGui::GetColorU32(side_color(right)), 0, em * 0.14F);

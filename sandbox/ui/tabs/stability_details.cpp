@@ -1,5 +1,6 @@
 #include "ui/tabs/stability_details.h"
 
+#include "measure/report/stability_report.h"
 #include "measure/report/text.h"
 #include "ui/tabs/verdict_color.h"
 #include "ui/widgets/theme.h"
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <imgui.h>
 
 namespace sandbox {
@@ -21,18 +23,19 @@ void story_line(const char *name, const std::string &text) {
     wrapped_text(ImGui::GetStyleColorVec4(ImGuiCol_Text), text);
 }
 
-/// What A is, which not every case has a program for.
-const char *left_text(const StabilityCase &of) {
-    return of.textbook ? "A: the same program with the textbook's power.  B: robust."
-                       : "A: a textbook's equation in float32 on the processor; what hides what is the "
-                         "reference's.  B: robust.";
+/// What A shows: only some cases have a program for the textbook's form.
+const char *left_text(const StabilityCase &definition) {
+    return definition.textbook ? "A: the same program with the textbook's power.  B: robust."
+                               : "A: a textbook's equation in float32 on the processor (visibility is the "
+                                 "reference's).  B: robust.";
 }
 
 void failed_rows(const StabilityResult &result) {
     for (const StabilityRow &row : result.rows) {
         if (!row.passed) {
-            wrapped_text(error_text(), to_string(row.technique) + ": error " + short_number(row.error) + ", " +
-                                           std::to_string(row.metrics.nonfinite_pixels) + " of its pixels not finite");
+            wrapped_text(error_text(),
+                         fmt::format("{}: error {}, {} of its pixels not finite", to_string(row.technique),
+                                     short_number(row.error), row.metrics.nonfinite_pixels));
         }
     }
 }
@@ -58,7 +61,7 @@ struct Caption {
 };
 
 Caption caption(const char *form, Verdict verdict, const StabilityRow &row) {
-    return {std::string(form) + " " + verdict_word(verdict), figure_text(row), verdict_color(verdict)};
+    return {std::string(form) + " " + verdict_word(verdict), error_words(row), verdict_color(verdict)};
 }
 
 void picture(const DisplayTexture &shown, const Caption &caption, float side) {
@@ -82,8 +85,8 @@ float picture_side(float room, int width) {
 
 } // namespace
 
-void StabilityDetails::pictures(const ListedCase &one) {
-    const StabilityResult &result = *one.result;
+void StabilityDetails::pictures(const ListedCase &listed) {
+    const StabilityResult &result = *listed.result;
     const std::array<const ByteImage *, 3> images{&result.textbook_image, &result.robust_image,
                                                   &result.reference_image};
     for (std::size_t i = 0; i < images.size(); ++i) {
@@ -91,8 +94,8 @@ void StabilityDetails::pictures(const ListedCase &one) {
             pictures_[i].emplace(*images[i]);
         }
     }
-    const std::array<Caption, 3> captions{caption("textbook", textbook_verdict(one), result.textbook),
-                                          caption("robust", robust_verdict(one), result.worst()),
+    const std::array<Caption, 3> captions{caption("textbook", textbook_verdict(listed), result.textbook),
+                                          caption("robust", robust_verdict(listed), result.worst()),
                                           Caption{"reference", "in double", ImGui::GetStyleColorVec4(ImGuiCol_Text)}};
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float room = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3 - 2; // less the border
@@ -105,24 +108,24 @@ void StabilityDetails::pictures(const ListedCase &one) {
     }
 }
 
-void StabilityDetails::draw(const ListedCase &one) {
-    const StabilityCase &of = one.of;
-    ImGui::TextUnformatted(of.name.c_str());
-    if (one.result) {
-        pictures(one);
-        failed_rows(*one.result);
+void StabilityDetails::draw(const ListedCase &listed) {
+    const StabilityCase &definition = listed.definition;
+    ImGui::TextUnformatted(definition.name.c_str());
+    if (listed.result) {
+        pictures(listed);
+        failed_rows(*listed.result);
     } else {
         wrapped_text(quiet_text(), "Not run yet: \"Run this case\" shows textbook, robust and reference beside each "
                                    "other, and judges them.");
     }
-    story_line("Symptom", of.symptom);
-    story_line("Cause", of.cause);
-    story_line("Met in", of.source);
-    story_line("Bound", bound_words(of));
-    if (one.result && one.result->cost) {
-        story_line("Cost", cost_words(*one.result->cost));
+    story_line("Symptom", definition.symptom);
+    story_line("Cause", definition.cause);
+    story_line("Met in", definition.source);
+    story_line("Bound", bound_words(definition));
+    if (const std::string cost = listed.result ? cost_words(*listed.result) : ""; !cost.empty()) {
+        story_line("Cost", cost);
     }
-    story_line("Views", left_text(of));
+    story_line("Views", left_text(definition));
 }
 
 } // namespace sandbox

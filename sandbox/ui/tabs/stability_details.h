@@ -12,12 +12,12 @@ namespace sandbox {
 class StabilityDetails {
   public:
     /// In the current ImGui window.
-    void draw(const ListedCase &one);
+    void draw(const ListedCase &listed);
     /// The pictures are made anew: another case was chosen, or this one was run again.
     void forget() { pictures_ = {}; }
 
   private:
-    void pictures(const ListedCase &one);
+    void pictures(const ListedCase &listed);
 
     std::array<std::optional<DisplayTexture>, 3> pictures_;
 };

@@ -1,6 +1,6 @@
 #include "ui/tabs/bottom_tabs.h"
 
-#include "measure/report/report.h"
+#include "measure/report/stability_report.h"
 #include "reference/reference.h"
 #include "ui/jobs/stability_job.h"
 #include "ui/session/exported_files.h"
@@ -28,8 +28,8 @@ class StabilityTab final : public TabContent {
   private:
     void start(bool all);
     void take_finished();
-    void settle(Session &session);
-    void open(Session &session, ViewPainter &painter, std::size_t place);
+    void finish(Session &session);
+    void open(Session &session, ViewPainter &painter, std::size_t number);
     void go_back(Session &session);
     void export_files(Session &session) const;
 
@@ -49,15 +49,15 @@ class StabilityTab final : public TabContent {
 };
 
 bool shows_a_case(const Session &session, const std::vector<ListedCase> &cases) {
-    return std::ranges::any_of(cases,
-                               [&](const ListedCase &one) { return one.of.name == session.document.opened->name; });
+    return std::ranges::any_of(
+        cases, [&](const ListedCase &listed) { return listed.definition.name == session.document.opened->name; });
 }
 
 void StabilityTab::start(bool all) {
     std::vector<std::pair<std::size_t, StabilityCase>> wanted;
     for (std::size_t i = 0; i < cases_.size(); ++i) {
         if (all || i == chosen_) {
-            wanted.emplace_back(i, cases_[i].of);
+            wanted.emplace_back(i, cases_[i].definition);
         }
     }
     try {
@@ -69,9 +69,9 @@ void StabilityTab::start(bool all) {
 }
 
 void StabilityTab::take_finished() {
-    for (auto &[place, result] : job_->take_finished()) {
-        cases_[place].result = std::move(result);
-        if (place == chosen_) {
+    for (auto &[number, result] : job_->take_finished()) {
+        cases_[number].result = std::move(result);
+        if (number == chosen_) {
             details_.forget();
         }
     }
@@ -83,13 +83,13 @@ News StabilityTab::take_news(Session &session) {
         take_finished();
     }
     if (news == News::result) {
-        settle(session);
+        finish(session);
     }
     return news;
 }
 
-/// The job has ended.
-void StabilityTab::settle(Session &session) {
+/// Says how the job ended.
+void StabilityTab::finish(Session &session) {
     if (job_->job().state() == JobState::failed) {
         failure_ = "Stopped: " + job_->job().error();
         session.message = {failure_, true};
@@ -99,28 +99,29 @@ void StabilityTab::settle(Session &session) {
     job_.reset();
 }
 
-/// Known from a run, else from the reference.
-double exposure_of(const ListedCase &one, ViewPainter &painter) {
-    if (one.result) {
-        return one.result->exposure;
+/// Known from a run; otherwise found from the reference.
+double exposure_of(const ListedCase &listed, ViewPainter &painter) {
+    if (listed.result) {
+        return listed.result->exposure;
     }
-    if (one.of.unit == ErrorUnit::linear_color) {
+    if (listed.definition.unit == ErrorUnit::linear_color) {
         return 1; // whatever the reference shows, so it need not be drawn
     }
-    const Scene &scene = one.of.scene;
+    const Scene &scene = listed.definition.scene;
     const auto resources = painter.renderer().resources().load(scene);
-    return stability_exposure(one.of, render_reference(scene, resources, one.of.techniques.front(), stability_size));
+    return stability_exposure(listed.definition,
+                              render_reference(scene, resources, listed.definition.techniques.front(), stability_size));
 }
 
 /// The case's scene in the views, as one step that can be undone.
-void StabilityTab::open(Session &session, ViewPainter &painter, std::size_t place) {
+void StabilityTab::open(Session &session, ViewPainter &painter, std::size_t number) {
     try {
-        const Document document = case_document(cases_[place].of, exposure_of(cases_[place], painter));
+        const Document document = case_document(cases_[number].definition, exposure_of(cases_[number], painter));
         if (!shows_a_case(session, cases_)) {
             before_ = session.document;
         }
         show_document(session, document);
-        chosen_ = place;
+        chosen_ = number;
         details_.forget();
     } catch (const std::exception &error) {
         session.message = {error.what(), true};
@@ -148,16 +149,17 @@ void StabilityTab::run_buttons(Session &session) {
     if (ImGui::Button("Run all")) {
         start(true);
     }
-    hint_for_item(session, "Draws every case and judges it against the reference in double: some ten seconds.");
+    hint_for_item(session,
+                  "Draws every case and judges it against the reference in double precision; takes some ten seconds.");
     ImGui::SameLine();
     ImGui::BeginDisabled(!chosen_);
     if (ImGui::Button("Run this case")) {
         start(false);
     }
     ImGui::EndDisabled();
-    hint_for_item(session, "The one that is chosen in the list.");
+    hint_for_item(session, "Runs the case that is selected in the list.");
     ImGui::SameLine();
-    const bool any = std::ranges::any_of(cases_, [](const ListedCase &one) { return one.result.has_value(); });
+    const bool any = std::ranges::any_of(cases_, [](const ListedCase &listed) { return listed.result.has_value(); });
     ImGui::BeginDisabled(!any);
     if (ImGui::Button("Export")) {
         export_files(session);
@@ -184,28 +186,27 @@ void StabilityTab::filter_controls(Session &session) {
     hint_for_item(session, "Lists one group only.");
     same_line_if_fits(em * 10);
     ImGui::Checkbox("textbook breaks", &filter_.textbook_breaks);
-    hint_for_item(session, "Lists only cases that were run and in which the textbook's form breaks the bound.");
+    hint_for_item(session, "Lists only the cases that were run and whose textbook form broke the bound.");
     if (before_ && shows_a_case(session, cases_)) {
         const std::string back = "Back to " + before_->opened->name;
         same_line_if_fits(ImGui::CalcTextSize(back.c_str()).x + em);
         if (ImGui::Button(back.c_str())) {
             go_back(session);
         }
-        hint_for_item(session, "What was open before the first case (Ctrl+Z goes back one by one).");
+        hint_for_item(session, "Opens what was open before the first case (Ctrl+Z goes back step by step).");
     }
 }
 
 void StabilityTab::story(ImVec2 size) {
     if (ImGui::BeginChild("story", size)) {
-        if (std::ranges::none_of(cases_, [this](const ListedCase &one) { return is_shown(one, filter_); })) {
-            wrapped_text(ImGui::GetStyleColorVec4(ImGuiCol_Text), "No case that was run is one of these.");
+        if (std::ranges::none_of(cases_, [this](const ListedCase &listed) { return is_shown(listed, filter_); })) {
+            wrapped_text(ImGui::GetStyleColorVec4(ImGuiCol_Text), "No case that was run matches this filter.");
         }
         if (chosen_) {
             details_.draw(cases_[*chosen_]);
         } else {
             wrapped_text(quiet_text(), summary(cases_));
-            wrapped_text(quiet_text(),
-                         "A click on a case opens it: A as a textbook has it, B as this program draws it.");
+            wrapped_text(quiet_text(), "Click a case to open it: A shows the textbook's form, B this program's.");
         }
     }
     ImGui::EndChild();

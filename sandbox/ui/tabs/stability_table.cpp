@@ -12,22 +12,23 @@ namespace sandbox {
 namespace {
 
 /// True when it is clicked.
-bool row(Session &session, const ListedCase &one, bool chosen, bool wide) {
+bool row(Session &session, const ListedCase &listed, bool chosen, bool wide) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    const bool clicked = ImGui::Selectable(short_name(one.of).c_str(), chosen, ImGuiSelectableFlags_SpanAllColumns);
-    hint_for_item(session, one.of.symptom);
+    const bool clicked =
+        ImGui::Selectable(short_name(listed.definition).c_str(), chosen, ImGuiSelectableFlags_SpanAllColumns);
+    hint_for_item(session, listed.definition.symptom);
     if (wide) {
         ImGui::TableNextColumn();
-        ImGui::TextUnformatted(one.of.symptom.c_str());
+        ImGui::TextUnformatted(listed.definition.symptom.c_str());
     }
     ImGui::TableNextColumn();
-    ImGui::TextColored(verdict_color(textbook_verdict(one)), "%s", textbook_text(one).c_str());
+    ImGui::TextColored(verdict_color(textbook_verdict(listed)), "%s", textbook_text(listed).c_str());
     ImGui::TableNextColumn();
-    ImGui::TextColored(verdict_color(robust_verdict(one)), "%s", robust_text(one).c_str());
+    ImGui::TextColored(verdict_color(robust_verdict(listed)), "%s", robust_text(listed).c_str());
     if (wide) {
         ImGui::TableNextColumn();
-        ImGui::TextUnformatted(cost_text(one).c_str());
+        ImGui::TextUnformatted(cost_text(listed).c_str());
     }
     return clicked;
 }
@@ -68,8 +69,8 @@ std::optional<std::size_t> case_table(Session &session, const std::vector<Listed
         if (!is_shown(cases[i], filter)) {
             continue;
         }
-        if (cases[i].of.group != group) {
-            group = cases[i].of.group;
+        if (cases[i].definition.group != group) {
+            group = cases[i].definition.group;
             group_row(group);
         }
         if (row(session, cases[i], i == chosen, wide)) {

@@ -1,6 +1,6 @@
 #include "ui/views/view_painter.h"
 
-#include "measure/stability/stability.h"
+#include "measure/stability/textbook.h"
 
 #include <algorithm>
 #include <chrono>

@@ -148,6 +148,26 @@ TEST(Metrics, NothingToCompareIsZero) {
     EXPECT_EQ(m.differing_share, 0);
 }
 
+TEST(Metrics, EveryRowReadsItsOwnMember) {
+    Metrics m;
+    m.norms = {1, 2, 3, 4};
+    m.psnr = 5;
+    m.flip = 6;
+    m.max_levels = 7;
+    m.differing_share = 8;
+    m.compared_pixels = 9;
+    m.silhouette_pixels = 10;
+    m.edge_pixels = 11;
+    m.jump_pixels = 12;
+    m.nonfinite_pixels = 13;
+    double expected = 0;
+    for_each_metric(m, [&](const auto &metric, const auto &measured) {
+        EXPECT_EQ(metric.value(measured), ++expected) << metric.name;
+    });
+    m.psnr.reset();
+    EXPECT_FALSE(metric_quantities[0].value(m)) << "identical pictures have no psnr";
+}
+
 TEST(ErrorSplit, EachCauseInItsOwnColumn) {
     const Frame drawn = grey(0.625F);
     const ReferenceFrame technique = truth(0.5);

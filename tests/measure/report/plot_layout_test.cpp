@@ -64,7 +64,7 @@ TEST(PlotLayout, TheFrontIsAStaircase) {
 
 TEST(PlotLayout, ThePointUnderTheMouse) {
     const PlotLayout layout = lay_out(request({{1, 100, 1, 1, 7}, {10, 10, 10, 10, 8}}));
-    const PlacedPoint &p = layout.series[0].points[1];
+    const PlotPoint &p = layout.series[0].points[1];
     EXPECT_EQ(nearest_point(layout, p.x + 3, p.y, 5), 8U);
     EXPECT_FALSE(nearest_point(layout, p.x + 6, p.y, 5));
 }

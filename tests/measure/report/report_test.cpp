@@ -1,7 +1,10 @@
 #include "measure/report/report.h"
 
+#include "measure/report/html.h"
+#include "measure/report/report_csv.h"
+#include "measure/report/report_html.h"
+#include "measure/report/report_json.h"
 #include "measure/report/text.h"
-#include "measure/work_precision/findings.h"
 #include "tools/error_of.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +37,7 @@ ReportRun ball_run() {
     run.machine = {"llvmpipe", "3.3", "A processor", 2, "1", "release", "a clock"};
     run.version = "1.2.3";
     run.date = "2031-05-01 12:00";
-    run.pictures = {{"The truth", "caption", ByteImage{{2, 1}, std::vector<std::uint8_t>(6, 200)}}};
+    run.pictures = {{"The truth", "caption", ByteImage{{2, 1}, std::vector<std::uint8_t>(6, 200)}, {}}};
     return run;
 }
 
@@ -116,6 +119,28 @@ TEST(ReportCsv, EveryLineHasEveryColumn) {
     EXPECT_EQ(count, run.measured.rows.size());
 }
 
+TEST(ReportFiles, HoldEveryQuantityOfTheTables) {
+    const ReportRun run = ball_run();
+    const auto row = nlohmann::json::parse(report_json({run}))["runs"][0]["rows"][0];
+    const std::string csv = report_csv({run});
+    const std::string head = "," + csv.substr(0, csv.find("\r\n")) + ",";
+    const auto has_column = [&](const std::string &name) { return head.find("," + name + ",") != std::string::npos; };
+    for_each_metric(Metrics{}, [&](const auto &metric, const auto &) {
+        EXPECT_EQ(row["errors"].contains(metric.name), !metric.costly) << metric.name;
+        EXPECT_EQ(has_column(std::string(metric.name)), !metric.costly) << metric.name;
+    });
+    for (const ErrorPart &part : error_parts) {
+        for (const Quantity<Norms> &norm : norm_quantities) {
+            EXPECT_TRUE(row["errors"]["split"][part.name].contains(norm.name)) << part.name << norm.name;
+            EXPECT_TRUE(has_column(std::string(part.name) + "_" + std::string(norm.name))) << part.name << norm.name;
+        }
+    }
+    for (const Quantity<RunTime> &time : run_time_quantities) {
+        EXPECT_TRUE(row["time"].contains(time.name)) << time.name;
+        EXPECT_TRUE(has_column(std::string(time.name) + "_ms")) << time.name;
+    }
+}
+
 TEST(ReportHtml, IsOneSelfContainedPage) {
     const std::string html = report_html({ball_run()});
     EXPECT_EQ(html.rfind("<!DOCTYPE html>", 0), 0U);
@@ -160,11 +185,11 @@ TEST(ReportText, NumbersAndEntities) {
     EXPECT_EQ(short_number(12.345), "12.3");
     EXPECT_EQ(short_number(4.56e-7), "4.56e-07");
     EXPECT_EQ(short_number(1.0 / 0.0), "not finite");
-    EXPECT_EQ(escaped("a<b&\"c\">"), "a&lt;b&amp;&quot;c&quot;&gt;");
-    EXPECT_EQ(base64(""), "");
-    EXPECT_EQ(base64("M"), "TQ=="); // RFC 4648
-    EXPECT_EQ(base64("Ma"), "TWE=");
-    EXPECT_EQ(base64("Man"), "TWFu");
+    EXPECT_EQ(html::escaped("a<b&\"c\">"), "a&lt;b&amp;&quot;c&quot;&gt;");
+    EXPECT_EQ(html::base64(""), "");
+    EXPECT_EQ(html::base64("M"), "TQ=="); // RFC 4648
+    EXPECT_EQ(html::base64("Ma"), "TWE=");
+    EXPECT_EQ(html::base64("Man"), "TWFu");
 }
 
 } // namespace

@@ -1,5 +1,4 @@
-#include "measure/stability/stability.h"
-
+#include "measure/report/stability_report.h"
 #include "reference/reference.h"
 
 #include <gtest/gtest.h>

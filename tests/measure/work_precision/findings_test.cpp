@@ -1,4 +1,4 @@
-#include "measure/work_precision/findings.h"
+#include "measure/work_precision/claims.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

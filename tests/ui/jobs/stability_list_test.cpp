@@ -33,14 +33,14 @@ StabilityRow row(double error, bool passed, std::size_t nonfinite = 0) {
 }
 
 /// Judged: the textbook's form, then both techniques of the robust one.
-ListedCase judged(const StabilityCase &of, StabilityRow textbook, StabilityRow first, StabilityRow second) {
+ListedCase judged(const StabilityCase &definition, StabilityRow textbook, StabilityRow first, StabilityRow second) {
     StabilityResult result;
-    result.of = of;
+    result.definition = definition;
     result.textbook = textbook;
     result.rows = {first, second};
     const ByteImage pixel{{1, 1}, {0, 0, 0}};
     result.textbook_image = result.robust_image = result.reference_image = pixel;
-    return {of, result};
+    return {definition, result};
 }
 
 TEST(StabilityList, SaysWhatIsKnown) {
@@ -48,12 +48,12 @@ TEST(StabilityList, SaysWhatIsKnown) {
     EXPECT_EQ(textbook_text(unknown), "not run");
     EXPECT_EQ(robust_verdict(unknown), Verdict::not_run);
 
-    const ListedCase good = judged(unknown.of, row(0.31, false), row(1.2e-6, true), row(2e-5, true));
+    const ListedCase good = judged(unknown.definition, row(0.31, false), row(1.2e-6, true), row(2e-5, true));
     EXPECT_EQ(textbook_text(good), "breaks, 0.310");
     EXPECT_EQ(robust_text(good), "holds, 2.00e-05"); // the worst of its techniques
     EXPECT_EQ(cost_text(good), "");
 
-    const ListedCase bad = judged(unknown.of, row(1e-6, true), row(1e-6, true), row(0, false, 3));
+    const ListedCase bad = judged(unknown.definition, row(1e-6, true), row(1e-6, true), row(0, false, 3));
     EXPECT_EQ(textbook_text(bad), "holds, 1.00e-06");
     EXPECT_EQ(robust_text(bad), "breaks, 3 not finite");
 }
@@ -88,8 +88,8 @@ TEST(StabilityList, Filters) {
     EXPECT_EQ(groups_of(cases), (std::vector<std::string>{"spot", "display"}));
     const auto shown = [&](const CaseFilter &filter) {
         std::string names;
-        for (const ListedCase &one : cases) {
-            names += is_shown(one, filter) ? short_name(one.of) : "";
+        for (const ListedCase &listed : cases) {
+            names += is_shown(listed, filter) ? short_name(listed.definition) : "";
         }
         return names;
     };
@@ -101,10 +101,12 @@ TEST(StabilityList, Filters) {
 
 TEST(StabilityList, EveryCaseHasAStoryAndANameOfItsOwn) {
     std::set<std::string> names;
-    for (const ListedCase &one : list_cases(stability_cases())) {
-        EXPECT_TRUE(names.insert(one.of.name).second) << one.of.name;
-        EXPECT_LT(short_name(one.of).size(), one.of.name.size()) << one.of.name;
-        EXPECT_FALSE(one.of.symptom.empty() || one.of.cause.empty() || one.of.source.empty()) << one.of.name;
+    for (const ListedCase &listed : list_cases(stability_cases())) {
+        EXPECT_TRUE(names.insert(listed.definition.name).second) << listed.definition.name;
+        EXPECT_LT(short_name(listed.definition).size(), listed.definition.name.size()) << listed.definition.name;
+        EXPECT_FALSE(listed.definition.symptom.empty() || listed.definition.cause.empty() ||
+                     listed.definition.source.empty())
+            << listed.definition.name;
     }
     EXPECT_GT(names.size(), 50U);
 }

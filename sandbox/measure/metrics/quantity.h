@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+
+namespace sandbox {
+
+/// One number of a T, as a row of a table (metric_quantities, run_time_quantities, ...). Files, tables, `compare` and
+/// the window read these tables, so that a new number is a new member and a new row.
+template <class T> struct Quantity {
+    std::string_view name;    ///< its key in JSON, its column in CSV
+    std::string_view heading; ///< of its column on a page; empty: pages leave it out
+    std::string_view unit;
+    std::string_view meaning; ///< in one line
+    std::variant<double T::*, std::size_t T::*, int T::*, std::optional<double> T::*> member;
+    bool costly = false; ///< measured by `compare` alone: it takes longer than all the others together
+
+    /// Nothing where this T has no such number; infinite where a picture was not finite.
+    [[nodiscard]] std::optional<double> value(const T &measured) const {
+        return std::visit(
+            [&](auto pointer) -> std::optional<double> {
+                if constexpr (std::is_same_v<decltype(pointer), std::optional<double> T::*>) {
+                    return measured.*pointer;
+                } else {
+                    return static_cast<double>(measured.*pointer);
+                }
+            },
+            member);
+    }
+    /// A count: written without decimals.
+    [[nodiscard]] bool whole() const {
+        return std::holds_alternative<std::size_t T::*>(member) || std::holds_alternative<int T::*>(member);
+    }
+};
+
+/// A quantity in JSON (nlohmann's, which writes null for what is not finite).
+template <class Json, class T> Json quantity_json(const Quantity<T> &quantity, const T &measured) {
+    const std::optional<double> value = quantity.value(measured);
+    return !value ? Json() : quantity.whole() ? Json(static_cast<long long>(*value)) : Json(*value);
+}
+
+/// Reads what quantity_json() wrote under the quantity's name. Throws the library's exceptions.
+template <class Json, class T> void read_quantity(const Json &json, const Quantity<T> &quantity, T &measured) {
+    const Json &found = json.at(quantity.name);
+    std::visit(
+        [&](auto pointer) {
+            auto &member = measured.*pointer;
+            if constexpr (std::is_integral_v<std::remove_reference_t<decltype(member)>>) {
+                found.get_to(member);
+            } else if (!found.is_null()) {
+                member = found.template get<double>();
+            } else if constexpr (std::is_same_v<decltype(pointer), double T::*>) {
+                member = std::numeric_limits<double>::infinity();
+            }
+        },
+        quantity.member);
+}
+
+} // namespace sandbox

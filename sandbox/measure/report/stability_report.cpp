@@ -1,0 +1,227 @@
+#include "measure/report/stability_report.h"
+
+#include "measure/report/csv_table.h"
+#include "measure/report/html.h"
+#include "measure/report/text.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace sandbox {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json row_json(const StabilityRow &row) {
+    ordered_json json{{"technique", to_string(row.technique)}, {"passed", row.passed}, {"error", row.error}};
+    for_each_metric(row.metrics, [&](const auto &metric, const auto &measured) {
+        if (!metric.costly) {
+            json[metric.name] = quantity_json<ordered_json>(metric, measured);
+        }
+    });
+    return json;
+}
+
+ordered_json result_json(const StabilityResult &result) {
+    const StabilityCase &judged = result.definition;
+    const auto cost = result.cost_ratio();
+    ordered_json rows = ordered_json::array();
+    for (const StabilityRow &row : result.rows) {
+        rows.push_back(row_json(row));
+    }
+    return {{"name", judged.name},
+            {"group", judged.group},
+            {"symptom", judged.symptom},
+            {"cause", judged.cause},
+            {"source", judged.source},
+            {"bound", judged.bound},
+            {"unit", name_of(judged.unit)},
+            {"passed", result.passed()},
+            {"cost", cost ? ordered_json(*cost) : ordered_json()},
+            {"textbook_form", judged.textbook ? "the program with power=textbook" : "float32 on the processor"},
+            {"textbook", row_json(result.textbook)},
+            {"robust", rows}};
+}
+
+void add_csv_row(CsvTable &table, const StabilityResult &result, const StabilityRow &row, const char *form) {
+    table.begin_row();
+    table.cell("name", result.definition.name);
+    table.cell("group", result.definition.group);
+    table.cell("form", form);
+    table.cell("technique", to_string(row.technique));
+    table.cell("bound", result.definition.bound);
+    table.cell("unit", name_of(result.definition.unit));
+    table.cell("error", row.error);
+    for_each_metric(row.metrics, [&](const auto &metric, const auto &measured) {
+        if (!metric.costly) {
+            table.cell(std::string(metric.name), metric, measured);
+        }
+    });
+    table.cell("passed", row.passed ? "yes" : "no");
+    if (const auto cost = result.cost_ratio(); cost && &row == &result.rows.front()) {
+        table.cell("cost", *cost);
+    }
+}
+
+std::string form_figure(const char *form, const StabilityRow &row, const ByteImage &image) {
+    return html::figure(form, row.metrics.nonfinite_pixels > 0 ? "" : "error", error_words(row), image);
+}
+
+std::string case_html(const StabilityResult &result) {
+    const StabilityCase &judged = result.definition;
+    const auto [style, verdict] =
+        result.passed() ? std::pair("kept", "within its bound") : std::pair("broken", "bound broken");
+    std::string story;
+    for (const auto &[term, text] :
+         {std::pair("Symptom", judged.symptom), std::pair("Cause", judged.cause), std::pair("Met in", judged.source),
+          std::pair("Bound", bound_words(judged)), std::pair("Cost", cost_words(result))}) {
+        story += text.empty() ? "" : fmt::format("<dt>{}</dt><dd>{}</dd>", term, html::escaped(text));
+    }
+    std::string warnings;
+    for (const StabilityRow &row : result.rows) {
+        if (!row.passed) {
+            warnings += fmt::format("<p class=\"warning\">{}: {}; {} pixels compared, {} show another object</p>",
+                                    html::technique_code(row.technique), error_words(row), row.metrics.compared_pixels,
+                                    row.metrics.silhouette_pixels);
+        }
+    }
+    return fmt::format(
+        "<article class=\"case\" id=\"{0}\"><h3>{0}<span class=\"badge {1}\">{2}</span></h3>\n"
+        "<div class=\"body\"><div class=\"three\">{3}{4}{5}</div><div><dl>{6}</dl>\n{7}</div></div></article>\n",
+        html::escaped(judged.name), style, verdict, form_figure("Textbook", result.textbook, result.textbook_image),
+        form_figure("Robust", result.rows.front(), result.robust_image),
+        html::figure("Reference", "in double", "", result.reference_image), story, warnings);
+}
+
+std::string table_html(const StabilityRun &run) {
+    html::Table table({"case", "textbook's error", "not finite", "robust error, worst", "of technique", "not finite",
+                       "bound", "cost", "verdict"});
+    const auto add_error = [&](const StabilityRow &row) { table.number(row.error, short_number(row.error)); };
+    const auto add_nonfinite = [&](const StabilityRow &row) {
+        const auto count = row.metrics.nonfinite_pixels;
+        table.number(static_cast<double>(count), fmt::format("{}", count));
+    };
+    for (const StabilityResult &result : run.results) {
+        const StabilityRow &worst = result.worst();
+        const auto cost = result.cost_ratio();
+        table.begin_row();
+        table.text(fmt::format("<a href=\"#{0}\">{0}</a>", html::escaped(result.definition.name)));
+        add_error(result.textbook);
+        add_nonfinite(result.textbook);
+        add_error(worst);
+        table.text(html::technique_code(worst.technique));
+        add_nonfinite(worst);
+        table.number(result.definition.bound, short_number(result.definition.bound));
+        table.number(cost.value_or(0), cost ? short_number(*cost) : "");
+        table.text(result.passed() ? "within" : "broken", result.passed() ? "" : "bad");
+    }
+    return table.html();
+}
+
+/// The cases of one group after the other.
+std::string group_sections(const std::vector<StabilityResult> &results) {
+    std::string sections, body;
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        const std::string &group = results[i].definition.group;
+        body += case_html(results[i]);
+        if (i + 1 == results.size() || results[i + 1].definition.group != group) {
+            const std::string name = html::escaped(group);
+            const auto first = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
+            sections += html::section(name, first + name.substr(1), "", body);
+            body.clear();
+        }
+    }
+    return sections;
+}
+
+} // namespace
+
+std::string stability_html(const StabilityRun &run) {
+    const auto kept = std::ranges::count_if(run.results, [](const StabilityResult &r) { return r.passed(); });
+    const auto naive = std::ranges::count_if(run.results, [](const StabilityResult &r) { return !r.textbook.passed; });
+    const auto of_all = [&](auto count) { return fmt::format("{} of {}", count, run.results.size()); };
+    const std::string header = fmt::format(
+        R"(<header><p class="kicker">Numerical stability</p><h1>Stiff and extreme cases</h1><p class="lead">Scenes on )"
+        R"(which a textbook's float32 formulas break: drawn, and judged against the same equation in double.</p>)"
+        R"(<p class="facts">{} &times; {} pixels &middot; {} &middot; Shading Sandbox {}</p></header>)"
+        "\n",
+        stability_size.width, stability_size.height, html::escaped(run.renderer), html::escaped(run.version));
+    const std::string cards = html::card("", of_all(kept), "within their bound as this program draws them") +
+                              html::card("", of_all(naive), "out of bound in the textbook's form");
+    const std::string table =
+        html::section("table", "All cases",
+                      "A case keeps its bound if every pixel is finite and the largest difference over the compared "
+                      "pixels stays within it, for every technique of the case. Cost is run time over that of the same "
+                      "program without guards and stable powers, taken in turns; 1 where the scene needs none.",
+                      table_html(run));
+    return html::page("Stiff and extreme cases",
+                      header + "<div class=\"cards\">" + cards + "</div>\n" + table + group_sections(run.results));
+}
+
+std::string stability_json(const StabilityRun &run) {
+    ordered_json cases = ordered_json::array();
+    for (const StabilityResult &result : run.results) {
+        cases.push_back(result_json(result));
+    }
+    const ordered_json all{{"format", "shading-sandbox stability 1"},
+                           {"version", run.version},
+                           {"renderer", run.renderer},
+                           {"size", {stability_size.width, stability_size.height}},
+                           {"cases", cases}};
+    return all.dump(2) + "\n";
+}
+
+std::string stability_csv(const StabilityRun &run) {
+    CsvTable table;
+    for (const StabilityResult &result : run.results) {
+        add_csv_row(table, result, result.textbook, "textbook");
+        for (const StabilityRow &row : result.rows) {
+            add_csv_row(table, result, row, "robust");
+        }
+    }
+    return table.text();
+}
+
+std::string stability_table(const StabilityRun &run) {
+    std::size_t widest = 4;
+    for (const StabilityResult &result : run.results) {
+        widest = std::max(widest, result.definition.name.size());
+    }
+    std::string out =
+        fmt::format("{:<{}}{:<16}{:<16}{:<10}{:<7}\n", "case", widest + 2, "textbook", "robust", "bound", "cost");
+    for (const StabilityResult &result : run.results) {
+        const auto cost = result.cost_ratio();
+        out += fmt::format("{:<{}}{:<16}{:<16}{:<10}{:<7}{}\n", result.definition.name, widest + 2,
+                           error_words(result.textbook), error_words(result.worst()),
+                           short_number(result.definition.bound), cost ? short_number(*cost) : "",
+                           result.passed() ? "ok" : "BROKEN");
+        for (const StabilityRow &row : result.rows) {
+            if (!row.passed) {
+                const Metrics &m = row.metrics;
+                out += fmt::format("    {}: error {}, compared {}, silhouette {}, edge {}, jump {}\n",
+                                   to_string(row.technique), error_words(row), m.compared_pixels, m.silhouette_pixels,
+                                   m.edge_pixels, m.jump_pixels);
+            }
+        }
+    }
+    return out;
+}
+
+std::string bound_words(const StabilityCase &judged) {
+    return short_number(judged.bound) + (judged.unit == ErrorUnit::linear_color ? "" : " of the brightest value");
+}
+
+std::string cost_words(const StabilityResult &result) {
+    if (!result.guarded) {
+        return "none: the textbook's program, fed better numbers";
+    }
+    return result.cost ? short_number(*result.cost) + " times the textbook's run time" : "";
+}
+
+std::string error_words(const StabilityRow &row) {
+    const auto bad = row.metrics.nonfinite_pixels;
+    return bad > 0 ? fmt::format("{} not finite", bad) : short_number(row.error);
+}
+
+} // namespace sandbox

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "measure/report/report.h"
+
+#include <string>
+
+/// The sections of report.html that are tables of findings; each is HTML, empty where a run has nothing to show.
+namespace sandbox::html {
+
+std::string cheapest_rows(const ReportRun &run);
+/// How fast errors fall from rung to rung of the ladder.
+std::string order_ladder(const ReportRun &run);
+std::string specialisation(const ReportRun &run);
+std::string power(const ReportRun &run);
+std::string claims(const ReportRun &run);
+
+} // namespace sandbox::html
