@@ -1,9 +1,11 @@
 #include "commands/commands.h"
-#include "commands/help.h"
 #include "commands/interrupt.h"
 #include "render/gl_program.h"
+#include "scene/scene_file.h"
+#include "scene/suggest.h"
 
-#include <cstdio>
+#include <algorithm>
+#include <fmt/format.h>
 #include <new>
 #include <sstream>
 
@@ -14,44 +16,61 @@ using namespace sandbox;
 constexpr int bad_usage = 2;
 constexpr int machine_lacks = 3;
 
-/// --help and --version, or what was wrong with the command line; CLI11's own codes become ours.
-int report_parse_end(const CLI::App &app, const CLI::ParseError &end) {
+/// Where no command was chosen, the first word must be a scene. A name that is none may be a mistyped command.
+void check_first_word(const CLI::App &app, const CommonOptions &common) {
+    const std::vector<std::string> words = app.get_option("SCENE")->results();
+    const std::filesystem::path word(words.empty() ? "" : words.front());
+    const std::vector<std::string> scenes = builtin_scenes(scene_assets(common));
+    if (words.empty() || word.has_parent_path() || word.has_extension() ||
+        std::ranges::find(scenes, word.string()) != scenes.end()) {
+        return;
+    }
+    std::vector<std::string_view> known;
+    for (const CLI::App *command : app.get_subcommands({})) {
+        known.push_back(command->get_name());
+    }
+    known.insert(known.end(), scenes.begin(), scenes.end());
+    const std::string_view nearest = nearest_word(word.string(), known);
+    throw InputError("'{}' is neither a command nor a built-in scene{}", word.string(),
+                     nearest.empty() ? " (see: shading-sandbox --help, shading-sandbox list)"
+                                     : fmt::format("; did you mean \"{}\"?", nearest));
+}
+
+/// Prints --help or --version, or reports what is wrong with the command line; CLI11's exit codes become ours.
+int end_of_parsing(const CLI::App &app, const CommonOptions &common, const CLI::ParseError &end) {
     std::ostringstream out, err;
     if (app.exit(end, out, err) == 0) {
         print(out.str());
         return 0;
     }
     const auto chosen = app.get_subcommands();
-    const std::string help =
-        chosen.empty() ? "shading-sandbox --help" : "shading-sandbox " + chosen[0]->get_name() + " --help";
-    note(std::string(end.what()) + " (see: " + help + ")");
+    if (chosen.empty()) {
+        check_first_word(app, common);
+    }
+    note(fmt::format("{} (see: shading-sandbox {}--help)", end.what(),
+                     chosen.empty() ? "" : chosen[0]->get_name() + " "));
     return bad_usage;
 }
 
 int parse_and_run(int argc, char **argv) {
-    CLI::App app("Lights a scene under several shading techniques at once, compares them and measures them.",
+    CLI::App app("Draws one scene with several shading techniques, compares the pictures and measures them.",
                  "shading-sandbox");
-    app.set_version_flag("--version", std::string("shading-sandbox ") + SANDBOX_VERSION);
+    app.set_version_flag("--version", "shading-sandbox " SANDBOX_VERSION, "Print the version and exit");
     app.require_subcommand(0, 1);
     CommonOptions common;
     Run run;
-    std::string scene;
-    app.add_option("SCENE", scene, "Without a command: the scene to open the window on");
-    for (AddCommand *add : all_commands) {
-        add(app, common, run);
-    }
+    add_commands(app, common, run);
     add_common_options(app, common);
     app.footer(help_footer()); // last, or every command would inherit it
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError &end) {
-        return report_parse_end(app, end);
+        return end_of_parsing(app, common, end);
     }
-    if (!run) {
-        return view_scene(common, {scene, {}, {}});
-    }
-    if (!scene.empty()) {
-        throw InputError("'" + scene + "' is neither a command nor an option (the command comes first)");
+    if (app.get_subcommands().empty()) {
+        check_first_word(app, common);
+    } else if (const CLI::Option *scene = app.get_option("SCENE"); scene->count() > 0) {
+        throw InputError("'{}' is not a command (the command comes first)", scene->results().front());
     }
     handle_interrupts();
     try {
@@ -73,7 +92,7 @@ int main(int argc, char **argv) {
         sandbox::note(error.what());
         return bad_usage;
     } catch (const std::bad_alloc &) {
-        sandbox::note("not enough memory; a smaller --size needs less");
+        sandbox::note("not enough memory; try a smaller --size");
         return machine_lacks;
     } catch (const std::exception &error) {
         sandbox::note(error.what());

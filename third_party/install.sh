@@ -7,12 +7,12 @@ packages=(
     g++ cmake ninja-build pkg-config                  # the build
     libglm-dev nlohmann-json3-dev libcli11-dev        # header libraries
     libfmt-dev                                        # messages and numbers
-    libstb-dev libjpeg-dev                            # picture files
+    libspng-dev libjpeg-dev                           # picture files
     python3-glad libegl-dev libgl-dev libopengl-dev   # OpenGL: the loader's generator, headers
     libegl1 libgl1 libegl-mesa0 libgl1-mesa-dri       # OpenGL at run time, with a software renderer
     libglfw3-dev libimgui-dev fonts-dejavu-core       # the window
 )
-tests=(libgtest-dev libbenchmark-dev xvfb xdotool imagemagick procps)
+tests=(libgtest-dev libbenchmark-dev libstb-dev xvfb xdotool imagemagick procps)
 
 fail() {
     echo "install.sh: $*" >&2

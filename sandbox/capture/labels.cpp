@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 
 namespace sandbox {
@@ -13,45 +14,33 @@ constexpr double darkening = 0.35;   // of the display value, so that white text
 constexpr double smallest_text = 9;  // pixels a line; below that strokes run together
 constexpr double line_spacing = 1.5; // line boxes
 
-/// The line height before it is made to fit: a 26th of the picture's.
-double line_height(const ByteImage &picture) { return std::max(smallest_text, picture.size.height / 26.0); }
-
 void darken(ByteImage &picture, int rows) {
     const std::size_t end = 3 * static_cast<std::size_t>(picture.size.width) *
                             static_cast<std::size_t>(std::min(rows, picture.size.height));
-    std::transform(picture.rgb.begin(), picture.rgb.begin() + static_cast<std::ptrdiff_t>(end), picture.rgb.begin(),
-                   [](std::uint8_t v) { return static_cast<std::uint8_t>(std::lround(v * darkening)); });
+    for (std::uint8_t &value : std::span(picture.rgb).first(end)) {
+        value = static_cast<std::uint8_t>(std::lround(value * darkening));
+    }
 }
 
-struct FittedText {
-    std::string text;
-    double height;
-};
-
-FittedText fit(std::string text, double height, double width) {
-    const double fitted = std::max(smallest_text, std::min(height, height * width / text_width(text, height)));
-    if (text_width(text, fitted) > width) {
-        while (!text.empty() && text_width(text + "...", fitted) > width) {
+/// `text` in a strip's line that begins at row `top`, within `width` columns from `left`: smaller or cut if it must be.
+void draw_line(ByteImage &picture, std::string text, int left, int width, double top, double height) {
+    const double margin = height / 2;
+    const double room = width - 2 * margin;
+    const double fitted = std::max(smallest_text, std::min(height, height * room / text_width(text, height)));
+    if (text_width(text, fitted) > room) {
+        while (!text.empty() && text_width(text + "...", fitted) > room) {
             text.pop_back();
         }
         text += text.empty() ? "" : "...";
     }
-    return {std::move(text), fitted};
-}
-
-/// `text` in a strip's line that begins at row `top`, within `width` columns from `left`.
-void draw_line(ByteImage &picture, const std::string &text, int left, int width, double top, double height) {
-    const double margin = height / 2;
-    const FittedText fitted = fit(text, height, width - 2 * margin);
-    const double centred = top + (height * line_spacing - fitted.height) / 2;
-    draw_text(picture, left + margin, centred, fitted.height, fitted.text);
+    draw_text(picture, left + margin, top + (height * line_spacing - fitted) / 2, fitted, text);
 }
 
 } // namespace
 
 void draw_labels(ByteImage &picture, Layout layout, int split, std::string_view left, std::string_view right,
                  std::string_view caption) {
-    const double height = line_height(picture);
+    const double height = std::max(smallest_text, picture.size.height / 26.0);
     const double strip = height * line_spacing;
     const int width = picture.size.width;
     const std::string a = "A  " + std::string(left);
@@ -81,8 +70,7 @@ void draw_divider(ByteImage &picture, int split) {
     const int to = std::min(picture.size.width, from + thickness);
     for (int y = 0; y < picture.size.height; ++y) {
         const auto row = picture.rgb.begin() + static_cast<std::ptrdiff_t>(3) * y * picture.size.width;
-        std::fill(row + static_cast<std::ptrdiff_t>(3) * from, row + static_cast<std::ptrdiff_t>(3) * to,
-                  static_cast<std::uint8_t>(255));
+        std::fill(row + 3 * from, row + 3 * to, static_cast<std::uint8_t>(255));
     }
 }
 

@@ -4,12 +4,12 @@
 
 #include <string_view>
 
-/// What is drawn over a picture for its viewers; never in a PFM, which is data.
+/// Labels drawn over a picture, never over a PFM, which is data.
 namespace sandbox {
 
-/// A strip along the top that says what is seen: "A left" and "B right" over their halves, both in two lines over a
-/// difference, which `caption` names at the right end, `left` alone over a single view. The text scales with the
-/// picture's height, and shrinks or is cut to fit. `split`: the column where the right view begins.
+/// Draws a strip along the top that names the views: "A left" and "B right" over their halves; over a difference both,
+/// in two lines, with `caption` at the right end; over a single view `left` alone. The text scales with the picture's
+/// height, and shrinks or is cut to fit. `split`: the column where the right view begins.
 void draw_labels(ByteImage &picture, Layout layout, int split, std::string_view left, std::string_view right,
                  std::string_view caption = {});
 

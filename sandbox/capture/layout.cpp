@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 
 namespace sandbox {
 namespace {
@@ -35,8 +34,8 @@ Image wipe(const Image &left, const Image &right, double divider) {
 
 Image difference(const Image &left, const Image &right) {
     Image picture(left.size);
-    std::transform(
-        left.pixels.begin(), left.pixels.end(), right.pixels.begin(), picture.pixels.begin(),
+    std::ranges::transform(
+        left.pixels, right.pixels, picture.pixels.begin(),
         [](const glm::vec4 &a, const glm::vec4 &b) { return glm::vec4(a.r - b.r, a.g - b.g, a.b - b.b, 1); });
     return picture;
 }
@@ -46,9 +45,9 @@ Image difference(const Image &left, const Image &right) {
 std::string_view to_string(Layout layout) { return layout_names[static_cast<std::size_t>(layout)]; }
 
 Layout parse_layout(std::string_view text) {
-    const auto found = std::find(layout_names.begin(), layout_names.end(), text);
+    const auto found = std::ranges::find(layout_names, text);
     if (found == layout_names.end()) {
-        throw InputError("expected side-by-side, wipe or difference, got '" + std::string(text) + "'");
+        throw InputError("expected side-by-side, wipe or difference, got '{}'", text);
     }
     return static_cast<Layout>(found - layout_names.begin());
 }
@@ -60,7 +59,7 @@ ViewSizes view_sizes(Layout layout, Size picture) {
         return {picture, picture};
     }
     if (picture.width < 2) {
-        throw InputError("two views side by side need a width of at least 2, got " + std::to_string(picture.width));
+        throw InputError("two views side by side need a width of at least 2, got {}", picture.width);
     }
     const int split = split_column(picture);
     return {{split, picture.height}, {picture.width - split, picture.height}};

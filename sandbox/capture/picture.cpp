@@ -4,7 +4,7 @@
 #include "image/error.h"
 
 #include <cmath>
-#include <sstream>
+#include <fmt/format.h>
 
 namespace sandbox {
 namespace {
@@ -17,21 +17,15 @@ Image magnified(Image difference, double gain) {
     return difference;
 }
 
-/// "4 |A - B|"
-std::string difference_caption(const PictureOptions &options) {
-    std::ostringstream caption;
-    if (options.gain != 1) {
-        caption << options.gain << " ";
-    }
-    caption << "|A - B|";
-    return caption.str();
+std::string difference_caption(double gain) {
+    return gain == 1 ? "|A - B|" : fmt::format("{:g} |A - B|", gain); // "4 |A - B|"
 }
 
 } // namespace
 
 Display parse_display(std::string_view text) {
     if (text != "linear" && text != "srgb") {
-        throw InputError("expected linear or srgb, got '" + std::string(text) + "'");
+        throw InputError("expected linear or srgb, got '{}'", text);
     }
     return text == "srgb" ? Display::srgb : Display::linear;
 }
@@ -39,9 +33,7 @@ Display parse_display(std::string_view text) {
 std::string_view to_string(Display display) { return display == Display::srgb ? "srgb" : "linear"; }
 
 std::string textbook_name(const Technique &technique) {
-    Technique plain;
-    plain.model = technique.model;
-    const std::string name = to_string(plain);
+    const std::string name = to_string(Technique{.model = technique.model});
     return "textbook float32" + name.substr(name.find('/'));
 }
 
@@ -63,7 +55,7 @@ ByteImage show_picture(const Image &linear, const PictureOptions &options) {
     }
     if (options.labels) {
         const std::string left = options.textbook_left ? textbook_name(options.left) : to_string(options.left);
-        draw_labels(shown, options.layout, split, left, to_string(options.right), difference_caption(options));
+        draw_labels(shown, options.layout, split, left, to_string(options.right), difference_caption(options.gain));
     }
     return shown;
 }

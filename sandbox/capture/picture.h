@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-/// A picture of a scene as a file holds it: what `capture` and the window's capture key both make.
+/// A picture of a scene for a file: `capture` and the window's capture key both make it.
 namespace sandbox {
 
 /// Draws a view: the renderer, or a fake in a test.
@@ -20,30 +20,29 @@ std::string_view to_string(Display display);
 
 struct PictureOptions {
     Layout layout = Layout::single;
-    Technique left;  ///< the only one of Layout::single
-    Technique right; ///< not used in Layout::single
-    /// The left view in a textbook's float32 on the processor, by the left technique's model (textbook_picture()).
-    bool textbook_left = false;
-    Size size{1280, 720}; ///< of the whole picture
+    Technique left; ///< Layout::single has this one only
+    Technique right;
+    bool textbook_left = false; ///< the left view is textbook_picture() by the left technique's model
+    Size size{1280, 720};       ///< of the whole picture
     Display display = Display::linear;
     double exposure = 1;
-    double gain = 1;      ///< of a difference that is shown
-    double divider = 0.5; ///< of a wipe: the left view's share of the width
+    double gain = 1;      ///< factor on a difference in a PNG
+    double divider = 0.5; ///< the left view's share of a wipe's width
     bool labels = false;
-    std::string view; ///< name of the view that the scene's camera was taken from, for the record
+    std::string view; ///< the named view that the camera came from, for the record
     bool operator==(const PictureOptions &) const = default;
 };
 
-/// What a textbook's picture is called: "textbook float32/phong". It has the technique's model alone.
+/// How a textbook's picture is labelled: "textbook float32/phong". It depends on the technique's model alone.
 std::string textbook_name(const Technique &technique);
 
-/// Linear RGB: what a PFM holds. A difference is left - right, without gain. `textbook` draws the left view where that
-/// is asked for; `draw` all else.
+/// Linear RGB, as a PFM holds it. A difference is left - right, without gain. `textbook` draws the left view if
+/// `options.textbook_left`; `draw` draws all else.
 Image draw_picture(const Scene &scene, const PictureOptions &options, const DrawView &draw,
                    const DrawView &textbook = {});
 
-/// What a PNG holds: `linear` (of draw_picture) through gain * |difference|, exposure and the display's curve, then a
-/// wipe's divider, then labels.
+/// The picture as a PNG holds it: `linear` (from draw_picture) through gain * |difference|, exposure and the display's
+/// curve, then a wipe's divider, then labels.
 ByteImage show_picture(const Image &linear, const PictureOptions &options);
 
 } // namespace sandbox

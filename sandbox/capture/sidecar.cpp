@@ -10,18 +10,17 @@ namespace {
 
 using nlohmann::ordered_json;
 
-/// One key of a sidecar, read by `read`; what is wrong with it is said with the file's and the key's name.
+/// Hands the value of `key`, if there is one, to `read`. An error names the file and the key.
 template <typename Read> void read_key(const ordered_json &from, const char *key, std::string_view name, Read read) {
     if (!from.contains(key)) {
         return;
     }
-    const std::string where = std::string(name) + ": " + key + ": ";
     try {
         read(from.at(key));
     } catch (const InputError &error) {
-        throw InputError(where + error.what());
+        throw InputError("{}: {}: {}", name, key, error.what());
     } catch (const ordered_json::exception &) {
-        throw InputError(where + "unexpected value " + from.at(key).dump());
+        throw InputError("{}: {}: unexpected value {}", name, key, from.at(key).dump());
     }
 }
 
@@ -79,20 +78,20 @@ std::optional<PictureOptions> sidecar_options(std::string_view text, std::string
         return std::nullopt;
     }
     PictureOptions options;
-    read_key(from, "layout", name,
-             [&](const auto &v) { options.layout = parse_layout(v.template get<std::string>()); });
-    read_key(from, "techniques", name, [&](const auto &v) { read_techniques(v, options); });
-    read_key(from, "textbook_left", name, [&](const auto &v) { options.textbook_left = v.template get<bool>(); });
-    read_key(from, "size", name, [&](const auto &v) {
-        options.size = {v.at(0).template get<int>(), v.at(1).template get<int>()};
-    });
-    read_key(from, "display", name,
-             [&](const auto &v) { options.display = parse_display(v.template get<std::string>()); });
-    read_key(from, "exposure", name, [&](const auto &v) { options.exposure = v.template get<double>(); });
-    read_key(from, "gain", name, [&](const auto &v) { options.gain = v.template get<double>(); });
-    read_key(from, "divider", name, [&](const auto &v) { options.divider = read_share(v.template get<double>()); });
-    read_key(from, "labels", name, [&](const auto &v) { options.labels = v.template get<bool>(); });
-    read_key(from, "view", name, [&](const auto &v) { options.view = v.template get<std::string>(); });
+    const auto read = [&](const char *key, auto reader) { read_key(from, key, name, reader); };
+    const auto read_value = [&]<typename Value>(const char *key, Value &value) {
+        read(key, [&](const ordered_json &v) { value = v.get<Value>(); });
+    };
+    read("layout", [&](const ordered_json &v) { options.layout = parse_layout(v.get<std::string>()); });
+    read("techniques", [&](const ordered_json &v) { read_techniques(v, options); });
+    read("size", [&](const ordered_json &v) { options.size = {v.at(0).get<int>(), v.at(1).get<int>()}; });
+    read("display", [&](const ordered_json &v) { options.display = parse_display(v.get<std::string>()); });
+    read("divider", [&](const ordered_json &v) { options.divider = read_share(v.get<double>()); });
+    read_value("textbook_left", options.textbook_left);
+    read_value("exposure", options.exposure);
+    read_value("gain", options.gain);
+    read_value("labels", options.labels);
+    read_value("view", options.view);
     return options;
 }
 

@@ -7,10 +7,10 @@
 #include <string>
 #include <string_view>
 
-/// Beside every picture, the JSON that it can be made from again: the whole scene and all that was asked for.
+/// The sidecar: the JSON file beside a picture that reproduces it. It holds the whole scene and every option.
 namespace sandbox {
 
-/// What drew a picture: GL_RENDERER and GL_VERSION, say.
+/// What drew a picture: GL_RENDERER and GL_VERSION.
 struct DrawnBy {
     std::string renderer;
     std::string opengl;
@@ -23,8 +23,8 @@ std::filesystem::path sidecar_path(const std::filesystem::path &picture);
 /// gain, labels, divider (of a wipe), view, scene.
 std::string sidecar_text(const Scene &scene, const PictureOptions &options, const DrawnBy &by);
 
-/// The options of a sidecar; nothing if `text` is not one (a scene file, an OBJ). `name` is used in messages.
-/// Throws InputError if a key holds what it cannot.
+/// The options of a sidecar; nothing if `text` is none (a scene file, an OBJ). `name` is used in messages.
+/// Throws InputError if a value is wrong.
 std::optional<PictureOptions> sidecar_options(std::string_view text, std::string_view name);
 
 } // namespace sandbox

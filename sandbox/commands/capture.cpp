@@ -10,18 +10,18 @@
 #include "scene/orbit.h"
 
 #include <cmath>
-#include <memory>
-#include <optional>
 
 namespace sandbox {
 namespace {
 
 /// As typed: absent where a sidecar's value or the default stands.
 struct CaptureFlags {
-    std::string scene;
+    std::string scene, view;
     std::filesystem::path out;
-    std::optional<std::string> technique, left, right, layout, size, display;
-    std::string view;
+    std::optional<Technique> technique, left, right;
+    std::optional<Layout> layout;
+    std::optional<Size> size;
+    std::optional<Display> display;
     std::optional<double> gain, exposure, orbit;
     std::optional<int> frames;
     bool labels = false;
@@ -31,10 +31,10 @@ struct CaptureFlags {
 
 void apply_one_view(const CaptureFlags &flags, PictureOptions &options) {
     if (flags.left || flags.right || flags.layout) {
-        throw InputError("--technique is one view; --left, --right and --layout are two");
+        throw InputError("--technique is for one view; --left, --right and --layout are for two");
     }
     options.layout = Layout::single;
-    options.left = options.right = with_flag("--technique", [&] { return parse_technique(*flags.technique); });
+    options.left = options.right = *flags.technique;
     options.textbook_left = false;
 }
 
@@ -43,37 +43,16 @@ void apply_two_views(const CaptureFlags &flags, PictureOptions &options) {
     if (!two_already && !(flags.left && flags.right)) {
         throw InputError("two views need both --left and --right");
     }
-    if (flags.left) {
-        options.left = with_flag("--left", [&] { return parse_technique(*flags.left); });
-        options.textbook_left = false;
-    }
-    if (flags.right) {
-        options.right = with_flag("--right", [&] { return parse_technique(*flags.right); });
-    }
-    if (flags.layout) {
-        options.layout = with_flag("--layout", [&] { return parse_layout(*flags.layout); });
-    } else if (!two_already) {
-        options.layout = Layout::side_by_side;
-    }
+    options.textbook_left = options.textbook_left && !flags.left;
+    options.left = flags.left.value_or(options.left);
+    options.right = flags.right.value_or(options.right);
+    options.layout = flags.layout.value_or(two_already ? options.layout : Layout::side_by_side);
     if (options.layout == Layout::single) {
         throw InputError("--layout: two views need side-by-side, wipe or difference; use --technique for one");
     }
 }
 
-void apply_display(const CaptureFlags &flags, PictureOptions &options) {
-    if (flags.display) {
-        options.display = with_flag("--display", [&] { return parse_display(*flags.display); });
-    }
-    if (flags.gain && options.layout != Layout::difference) {
-        throw InputError("--gain is of --layout difference");
-    }
-    options.gain = flags.gain.value_or(options.gain);
-    options.exposure = flags.exposure.value_or(options.exposure);
-    options.labels = (options.labels || flags.labels) && !flags.no_labels;
-    check_positive("--gain", options.gain);
-    check_positive("--exposure", options.exposure);
-}
-
+/// The sidecar's options, or the defaults, with what the flags change.
 PictureOptions picture_options(const CaptureFlags &flags) {
     PictureOptions options = sidecar_of(flags.scene).value_or(PictureOptions{});
     if (flags.technique) {
@@ -81,27 +60,31 @@ PictureOptions picture_options(const CaptureFlags &flags) {
     } else if (flags.left || flags.right || flags.layout) {
         apply_two_views(flags, options);
     }
-    if (flags.size) {
-        options.size = parse_size(*flags.size);
+    if (flags.gain && options.layout != Layout::difference) {
+        throw InputError("--gain needs --layout difference");
     }
-    view_sizes(options.layout, options.size);
-    apply_display(flags, options);
-    if (!flags.view.empty()) {
-        options.view = flags.view;
-    }
+    options.size = flags.size.value_or(options.size);
+    options.display = flags.display.value_or(options.display);
+    options.gain = flags.gain.value_or(options.gain);
+    options.exposure = flags.exposure.value_or(options.exposure);
+    options.labels = (options.labels || flags.labels) && !flags.no_labels;
+    options.view = flags.view.empty() ? options.view : flags.view;
+    check_positive("--gain", options.gain);
+    check_positive("--exposure", options.exposure);
+    view_sizes(options.layout, options.size); // refuses a view without a pixel
     return options;
 }
 
 void refuse_display_flags(const CaptureFlags &flags) {
-    const auto refuse = [](bool given, const char *flag) {
+    const std::pair<bool, const char *> display_flags[] = {{flags.display.has_value(), "--display"},
+                                                           {flags.exposure.has_value(), "--exposure"},
+                                                           {flags.gain.has_value(), "--gain"},
+                                                           {flags.labels, "--labels"}};
+    for (const auto &[given, flag] : display_flags) {
         if (given) {
-            throw InputError(std::string(flag) + ": a .pfm holds the linear values as they are; use a .png");
+            throw InputError("{}: a .pfm holds the linear values unchanged; use a .png", flag);
         }
-    };
-    refuse(flags.display.has_value(), "--display");
-    refuse(flags.exposure.has_value(), "--exposure");
-    refuse(flags.gain.has_value(), "--gain");
-    refuse(flags.labels, "--labels");
+    }
 }
 
 /// The number of files; 1 without --frames.
@@ -112,12 +95,12 @@ int frame_count(const CaptureFlags &flags) {
     }
     if (!flags.frames) {
         if (is_frame_pattern(flags.out.filename().string())) {
-            throw InputError("--out: '" + out + "' is a pattern for --frames N --orbit DEGREES");
+            throw InputError("--out: '{}' is a pattern, which needs --frames N --orbit DEGREES", out);
         }
         return 1;
     }
     if (*flags.frames < 1 || *flags.frames > 100000) {
-        throw InputError("--frames: expected 1 to 100000, got " + std::to_string(*flags.frames));
+        throw InputError("--frames: expected 1 to 100000, got {}", *flags.frames);
     }
     if (!std::isfinite(*flags.orbit)) {
         throw InputError("--orbit: expected a finite number of degrees");
@@ -156,7 +139,7 @@ int run_capture(const CaptureFlags &flags, const CommonOptions &common) {
         bar.report((i + 1.0) / frames);
     }
     if (common.verbose) {
-        note("programs built: " + std::to_string(session.renderer().programs_built()));
+        note(fmt::format("programs built: {}", session.renderer().programs_built()));
     }
     return 0;
 }
@@ -164,44 +147,38 @@ int run_capture(const CaptureFlags &flags, const CommonOptions &common) {
 } // namespace
 
 void add_capture(CLI::App &app, CommonOptions &common, Run &run) {
-    CLI::App *command = app.add_subcommand("capture", "Draw a scene into a file, without a window");
-    auto flags = std::make_shared<CaptureFlags>();
-    command->add_option("SCENE", flags->scene, "Built-in name, .json (a sidecar too), or .obj")
-        ->type_name("")
+    CLI::App &command = *app.add_subcommand("capture", "Draw a scene into a picture file, without a window");
+    const auto flags = std::make_shared<CaptureFlags>();
+    add_scene(command, flags->scene, "Built-in name, or path of a .json, sidecar or .obj file");
+    add_value(command, "--out", "FILE", flags->out,
+              "FILE.png (8 bit) or FILE.pfm (linear RGB in float32, bottom row first)")
         ->required();
-    command->add_option("--out", flags->out, "FILE.png (8 bit) or FILE.pfm (float32 linear RGB, bottom row first)")
-        ->type_name("FILE")
-        ->required();
-    command->add_option("--technique", flags->technique, "One view [per-pixel/blinn-phong]")->type_name("T");
-    command->add_option("--size", flags->size, "Of the whole picture [1280x720]")->type_name("WxH");
-    command->add_option("--view", flags->view, "One of the scene's named views")->type_name("NAME");
-    command->add_option("--display", flags->display, "Transfer curve of a PNG [linear]")->type_name("linear|srgb");
-    command->add_option("--exposure", flags->exposure, "Multiplies before display [1]")->type_name("E");
-    const std::string two = "Two views";
-    command->add_option("--left", flags->left, "Technique of the left view, A")->type_name("T")->group(two);
-    command->add_option("--right", flags->right, "Technique of the right view, B")->type_name("T")->group(two);
-    command->add_option("--layout", flags->layout, "side-by-side, wipe or difference [side-by-side]")
-        ->type_name("LAYOUT")
-        ->group(two);
-    command->add_option("--gain", flags->gain, "Of a difference in a PNG [1]")->type_name("G")->group(two);
-    command->add_flag("--labels", flags->labels, "Write the techniques over the picture");
-    command->add_flag("--no-labels", flags->no_labels, "Not even where the sidecar that is SCENE says so");
-    const std::string turn = "Frames";
-    command->add_option("--frames", flags->frames, "So many files; --out is a pattern, e.g. turn_%04d.png")
-        ->type_name("N")
-        ->group(turn);
-    command
-        ->add_option("--orbit", flags->orbit,
-                     "The turn in all about the target and the up axis; frame k of N is at DEG k/N")
-        ->type_name("DEG")
-        ->group(turn);
-    command->add_flag("--no-sidecar", flags->no_sidecar,
-                      "Do not write FILE.json, which the picture can be made from again");
-    command->footer(
-        "--size is of the whole file: side by side each view has half the width, and the left one the extra\n"
-        "column of an odd width. A difference in a PNG is G |left - right|, in a PFM left - right.");
-    add_common_options(*command, common);
-    command->callback([flags, &common, &run] { run = [flags, &common] { return run_capture(*flags, common); }; });
+    add_parsed(command, "--technique", "T", flags->technique, parse_technique,
+               "Technique of a single view [per-pixel/blinn-phong]");
+    add_parsed(command, "--size", "WxH", flags->size, parse_size, "Size of the whole picture [1280x720]");
+    add_view_name(command, flags->view);
+    add_parsed(command, "--display", "linear|srgb", flags->display, parse_display, "Transfer curve of a PNG [linear]");
+    add_value(command, "--exposure", "E", flags->exposure,
+              "Factor on the colours of a PNG, before the transfer curve [1]");
+    command.add_flag("--labels", flags->labels, "Write the techniques over the picture");
+    command.add_flag("--no-labels", flags->no_labels, "No labels, even if the sidecar asks for them");
+    command.add_flag("--no-sidecar", flags->no_sidecar,
+                     "Do not write FILE.json, the sidecar that reproduces the picture");
+    command.option_defaults()->group("Two views");
+    add_parsed(command, "--left", "T", flags->left, parse_technique, "Technique of the left view, A");
+    add_parsed(command, "--right", "T", flags->right, parse_technique, "Technique of the right view, B");
+    add_parsed(command, "--layout", "LAYOUT", flags->layout, parse_layout,
+               "side-by-side, wipe or difference [side-by-side]");
+    add_value(command, "--gain", "G", flags->gain, "Factor on a difference in a PNG [1]");
+    command.option_defaults()->group("Turntable");
+    add_value(command, "--frames", "N", flags->frames, "Number of frames; --out must contain %04d");
+    add_value(command, "--orbit", "DEG", flags->orbit,
+              "Total turn in degrees, about the target and the up axis; frame k is turned by DEG k/N");
+    command.footer(
+        "--size is the size of the whole file: side by side, each view has half the width, and the left one\n"
+        "has the extra column of an odd width. A difference is G |left - right| in a PNG and left - right\n"
+        "in a PFM.");
+    run_when_chosen(command, common, run, flags, run_capture);
 }
 
 } // namespace sandbox

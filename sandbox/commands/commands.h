@@ -4,30 +4,56 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <memory>
+#include <string>
 
 namespace sandbox {
 
-/// What the command line chose; returns the exit code. Empty until a command was parsed.
+/// What the command line chose; returns the exit code.
 using Run = std::function<int()>;
 
-/// Adds one subcommand: its options, its help, and, when it is chosen, what to run.
-using AddCommand = void(CLI::App &app, CommonOptions &common, Run &run);
+/// Adds every subcommand to `app`. `run` becomes the one that is chosen, or opening the window if none is.
+void add_commands(CLI::App &app, CommonOptions &common, Run &run);
 
-AddCommand add_list, add_capture, add_reference, add_compare, add_time, add_report, add_stability, add_glsl, add_view;
-/// A new command is a file of its own, and its name here and above.
-inline constexpr AddCommand *all_commands[]{add_list,   add_capture,   add_reference, add_compare, add_time,
-                                            add_report, add_stability, add_glsl,      add_view};
+/// What --help says below the options: techniques (from their own table), scenes, exit codes.
+std::string help_footer();
 
-/// The arguments of every command: --set, --shaders, --assets, --backend, -v.
-void add_common_options(CLI::App &app, CommonOptions &common);
+/// The options of every command: --set, --shaders, --assets, --backend, -v.
+void add_common_options(CLI::App &command, CommonOptions &common);
 
-/// What the window opens with.
-struct ViewFlags {
-    std::string scene;                      ///< empty: a built-in one
-    std::optional<std::string> left, right; ///< techniques; absent: a sidecar's or the window's own
-};
+/// SCENE, required.
+void add_scene(CLI::App &command, std::string &scene,
+               const std::string &description = "Built-in name, or path of a .json or .obj file");
+/// --view NAME.
+void add_view_name(CLI::App &command, std::string &view);
 
-/// Opens the window; returns the exit code.
-int view_scene(const CommonOptions &common, const ViewFlags &flags);
+/// An option as help shows it: "--frames N   description".
+template <typename Value>
+CLI::Option *add_value(CLI::App &command, const std::string &option, const std::string &type, Value &value,
+                       const std::string &description) {
+    return command.add_option(option, value, description)->type_name(type);
+}
+
+/// An option whose text `parse` reads into `value`. An InputError of `parse` is reported with the option's name.
+template <typename Value, typename Parse>
+CLI::Option *add_parsed(CLI::App &command, const std::string &option, const std::string &type, Value &value,
+                        Parse parse, const std::string &description) {
+    const auto read = [&value, parse, option](const std::string &text) {
+        value = with_flag(option, [&] { return parse(text); });
+    };
+    return command.add_option_function<std::string>(option, read, description)->type_name(type);
+}
+
+/// An option that takes one of `words`.
+CLI::Option *add_choice(CLI::App &command, const std::string &option, const std::vector<std::string> &words,
+                        std::string &value, const std::string &description);
+
+/// Ends the description of a subcommand: adds the common options, and has `work` run if the command is chosen.
+template <typename Flags>
+void run_when_chosen(CLI::App &command, CommonOptions &common, Run &run, std::shared_ptr<Flags> flags,
+                     int (*work)(const Flags &, const CommonOptions &)) {
+    add_common_options(command, common);
+    command.callback([=, &common, &run] { run = [=, &common] { return work(*flags, common); }; });
+}
 
 } // namespace sandbox

@@ -3,7 +3,6 @@
 #include "capture/picture.h"
 #include "image/error.h"
 #include "image/image.h"
-#include "render/context.h"
 #include "scene/assets.h"
 #include "scene/scene.h"
 
@@ -21,30 +20,28 @@ struct CommonOptions {
     std::vector<std::string> settings; ///< --set PATH=VALUE, in order
     std::filesystem::path shaders;     ///< --shaders DIR; empty: the copies inside the executable
     std::filesystem::path assets;      ///< --assets DIR
-    Backend backend = Backend::egl;
+    std::string backend = "egl";       ///< or "glfw"
     bool verbose = false;
 };
 
 Assets scene_assets(const CommonOptions &common);
 Assets shader_assets(const CommonOptions &common);
 
-/// SCENE with every --set applied, then the named view's camera (empty: the scene's own).
+/// SCENE with every --set applied and the camera of the view named `view` (empty: the scene's own camera).
 Scene open_scene(const CommonOptions &common, const std::string &scene, const std::string &view = {});
 
-/// What the sidecar SCENE asks for; nothing if SCENE is not one.
+/// The options in the sidecar SCENE, checked; nothing if SCENE is not a sidecar.
 std::optional<PictureOptions> sidecar_of(const std::string &scene);
 
 /// WIDTHxHEIGHT: 1 to 16384 each and at most 64 Mpixel.
 Size parse_size(std::string_view text);
-/// Throws InputError; parse_size() has checked already.
-void check_size(Size size);
 
-/// Runs `work`; what it says is wrong is said with the flag's name.
+/// Runs `work`; an InputError gets the flag's name in front.
 template <typename Work> auto with_flag(std::string_view flag, Work work) {
     try {
         return work();
     } catch (const InputError &error) {
-        throw InputError(std::string(flag) + ": " + error.what());
+        throw InputError("{}: {}", flag, error.what());
     }
 }
 
@@ -52,18 +49,18 @@ template <typename Work> auto with_flag(std::string_view flag, Work work) {
 void check_positive(std::string_view flag, double value);
 
 /// The ending of an output file, in lower case: ".png". Throws InputError naming --out unless it is among `allowed` and
-/// the folder exists: before the work, not after it.
+/// the folder exists, so that no work is lost.
 std::string check_output(const std::filesystem::path &out, std::initializer_list<std::string_view> allowed);
 
 /// Makes the folder of --out, unless it exists. Throws InputError.
 void make_folder(const std::filesystem::path &out);
 
-/// Results: the whole text to standard output, flushed. Throws InputError if it cannot be written (a full disk).
+/// Writes a result to standard output, flushed. Throws InputError if it cannot be written (a full disk).
 void print(std::string_view text);
-/// A line on standard error: "shading-sandbox: text".
+/// Writes a line to standard error: "shading-sandbox: text".
 void note(std::string_view text);
 
-constexpr std::string_view default_technique = "per-pixel/blinn-phong";
+constexpr Size default_picture_size{1280, 720};
 constexpr std::string_view default_size = "1280x720";
 
 } // namespace sandbox

@@ -124,7 +124,7 @@ int run_compare(const CompareFlags &flags, const CommonOptions &common) {
     if (flags.max_abs && !(std::isfinite(*flags.max_abs) && *flags.max_abs >= 0)) {
         throw InputError("--max-abs: expected a number >= 0");
     }
-    const Size size = parse_size(flags.size);
+    const Size size = with_flag("--size", [&] { return parse_size(flags.size); });
     const Scene scene = open_scene(common, flags.scene, flags.view);
 
     DrawingSession session(common);

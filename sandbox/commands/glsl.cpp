@@ -4,70 +4,62 @@
 #include "scene/scene_file.h"
 #include "shading/program_source.h"
 
-#include <algorithm>
-#include <memory>
+#include <fmt/format.h>
 
 namespace sandbox {
 namespace {
 
 struct GlslFlags {
-    std::string scene, technique, stage, object;
+    std::string scene, stage, object;
+    Technique technique;
 };
 
-/// How an object is named on the command line: its name, or its place where it has none.
+std::string indexed_name(std::size_t object) { return fmt::format("objects[{}]", object); }
+
+/// How an object is named on the command line: its name, or its index where it has none.
 std::string object_name(const Scene &scene, std::size_t i) {
-    const std::string &name = scene.objects[i].name;
-    return name.empty() ? "objects[" + std::to_string(i) + "]" : name;
+    return scene.objects[i].name.empty() ? indexed_name(i) : scene.objects[i].name;
 }
 
-std::string object_names(const Scene &scene) {
-    std::string names;
-    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-        names += (i == 0 ? "" : ", ") + object_name(scene, i);
-    }
-    return names;
-}
-
-std::size_t chosen_object(const Scene &scene, const std::string &name) {
+std::size_t find_object(const Scene &scene, const std::string &name) {
     if (scene.objects.empty()) {
         throw InputError("the scene has no object, so it needs no program");
     }
-    if (name.empty()) {
-        return 0;
-    }
+    std::vector<std::string> names;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-        if (object_name(scene, i) == name || "objects[" + std::to_string(i) + "]" == name) {
+        names.push_back(object_name(scene, i));
+        if (name.empty() || name == names.back() || name == indexed_name(i)) {
             return i;
         }
     }
-    throw InputError("--object: there is no '" + name + "'; the scene has " + object_names(scene));
+    throw InputError("--object: there is no '{}'; the scene has {}", name, fmt::join(names, ", "));
 }
 
 /// Says which objects need another program than the one that is printed.
-void note_other_programs(const Scene &scene, const std::vector<Features> &features, std::size_t chosen) {
-    std::string others;
+void note_other_programs(const Scene &scene, const std::vector<Features> &features, std::size_t printed) {
+    std::vector<std::string> others;
     for (std::size_t i = 0; i < features.size(); ++i) {
-        if (features[i] != features[chosen]) {
-            others += (others.empty() ? "" : ", ") + object_name(scene, i);
+        if (features[i] != features[printed]) {
+            others.push_back(object_name(scene, i));
         }
     }
     if (!others.empty()) {
-        note("this is the program of " + object_name(scene, chosen) + "; --object prints the others': " + others);
+        note(fmt::format("this is the program of {}; --object prints that of {}", object_name(scene, printed),
+                         fmt::join(others, ", ")));
     }
 }
 
 int run_glsl(const GlslFlags &flags, const CommonOptions &common) {
-    const Technique technique = with_flag("--technique", [&] { return parse_technique(flags.technique); });
     const Scene scene = open_scene(common, flags.scene);
-    const std::size_t chosen = chosen_object(scene, flags.object);
+    const std::size_t chosen = find_object(scene, flags.object);
     const std::vector<ObjectResources> resources = Resources(scene_assets(common)).load(scene);
-    const std::vector<Features> features = derive_features(scene, technique, resources);
-    require_drawable(features[chosen], scene, technique, scene.objects[chosen]);
+    const std::vector<Features> features = derive_features(scene, flags.technique, resources);
+    require_drawable(features[chosen], scene, flags.technique, scene.objects[chosen]);
     const ProgramSource program = assemble(features[chosen], ShaderParts(shader_assets(common)));
     note_other_programs(scene, features, chosen);
     if (flags.stage.empty()) {
-        print("// ---- vertex stage ----\n" + program.vertex.text + "\n// ---- fragment stage ----\n" +
-              program.fragment.text);
+        print(fmt::format("// ---- vertex stage ----\n{}\n// ---- fragment stage ----\n{}", program.vertex.text,
+                          program.fragment.text));
     } else {
         print(flags.stage == "vertex" ? program.vertex.text : program.fragment.text);
     }
@@ -77,20 +69,16 @@ int run_glsl(const GlslFlags &flags, const CommonOptions &common) {
 } // namespace
 
 void add_glsl(CLI::App &app, CommonOptions &common, Run &run) {
-    CLI::App *command = app.add_subcommand("glsl", "Print the program of a scene under a technique");
-    auto flags = std::make_shared<GlslFlags>();
-    command->add_option("SCENE", flags->scene, "Built-in name, .json or .obj")->type_name("")->required();
-    command->add_option("--technique", flags->technique, "program=full in it: the program that can do every scene")
-        ->type_name("T")
+    CLI::App &command = *app.add_subcommand("glsl", "Print the GLSL program that draws a scene with a technique");
+    const auto flags = std::make_shared<GlslFlags>();
+    add_scene(command, flags->scene);
+    add_parsed(command, "--technique", "T", flags->technique, parse_technique,
+               "Technique; with program=full, the program that can draw every scene")
         ->required();
-    command->add_option("--stage", flags->stage, "Only this stage")
-        ->type_name("vertex|fragment")
-        ->check(CLI::IsMember({"vertex", "fragment"}).description(""));
-    command->add_option("--object", flags->object, "Whose program, where objects need different ones [the first]")
-        ->type_name("NAME");
-    command->footer("Needs no OpenGL.");
-    add_common_options(*command, common);
-    command->callback([flags, &common, &run] { run = [flags, &common] { return run_glsl(*flags, common); }; });
+    add_choice(command, "--stage", {"vertex", "fragment"}, flags->stage, "Print only this stage");
+    add_value(command, "--object", "NAME", flags->object, "Object whose program to print [the first]");
+    command.footer("Needs no OpenGL.");
+    run_when_chosen(command, common, run, flags, run_glsl);
 }
 
 } // namespace sandbox

@@ -4,7 +4,8 @@
 #include "scene/scene_file.h"
 #include "shading/technique.h"
 
-#include <memory>
+#include <algorithm>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace sandbox {
@@ -26,9 +27,9 @@ ordered_json list_lessons(const Assets &assets) {
     ordered_json lessons = ordered_json::array();
     for (const std::string &path : assets.list("lessons/")) {
         const ordered_json lesson = ordered_json::parse(assets.read(path).value_or(""), nullptr, false);
-        const std::string title =
-            lesson.is_object() && lesson.contains("title") && lesson["title"].is_string() ? lesson["title"] : "";
-        lessons.push_back({{"name", std::filesystem::path(path).stem().string()}, {"title", title}});
+        const bool titled = lesson.is_object() && lesson.contains("title") && lesson["title"].is_string();
+        lessons.push_back(
+            {{"name", std::filesystem::path(path).stem().string()}, {"title", titled ? lesson["title"] : ""}});
     }
     return lessons;
 }
@@ -54,13 +55,13 @@ ordered_json list_techniques() {
 
 ordered_json list_stability_cases(const Assets &assets) {
     ordered_json cases = ordered_json::array();
-    for (const StabilityCase &one : stability_cases(assets)) {
-        cases.push_back({{"name", one.name}, {"group", one.group}, {"doc", one.symptom}, {"cause", one.cause}});
+    for (const StabilityCase &c : stability_cases(assets)) {
+        cases.push_back({{"name", c.name}, {"group", c.group}, {"doc", c.symptom}, {"cause", c.cause}});
     }
     return cases;
 }
 
-/// One row a name and what it is, the names in a column.
+/// A row for each name and its text, the names in a column.
 std::string table(const ordered_json &rows, const char *text_key, int indent) {
     std::size_t widest = 0;
     for (const ordered_json &row : rows) {
@@ -68,48 +69,51 @@ std::string table(const ordered_json &rows, const char *text_key, int indent) {
     }
     std::string out;
     for (const ordered_json &row : rows) {
-        const auto name = row["name"].get<std::string>();
-        out += std::string(static_cast<std::size_t>(indent), ' ') + name + std::string(widest - name.size() + 2, ' ') +
-               row[text_key].get<std::string>() + "\n";
+        out += fmt::format("{:{}}{:{}}  {}\n", "", indent, row["name"].get<std::string>(), widest,
+                           row[text_key].get<std::string>());
     }
     return out;
 }
 
 std::string human_text(const ordered_json &all) {
-    const auto section = [](const std::string &title, const std::string &rows) {
-        return title + "\n" + (rows.empty() ? "  (none)\n" : rows) + "\n";
+    const auto section = [](std::string_view title, const std::string &rows) {
+        return fmt::format("{}\n{}\n", title, rows.empty() ? "  (none)\n" : rows);
     };
+    const ordered_json &techniques = all["techniques"];
     std::string out = section("Scenes", table(all["scenes"], "description", 2)) +
                       section("Lessons", table(all["lessons"], "title", 2)) +
                       "Techniques: FREQUENCY/MODEL[:key=value[,key=value]], the first value of a key is its default\n" +
-                      section("  Frequencies", table(all["techniques"]["frequencies"], "doc", 4)) +
-                      section("  Models", table(all["techniques"]["models"], "doc", 4)) + "  Keys\n";
-    for (const ordered_json &key : all["techniques"]["keys"]) {
-        out += "    " + key["name"].get<std::string>() + ": " + key["doc"].get<std::string>() + "\n" +
-               table(key["values"], "doc", 6);
+                      section("  Frequencies", table(techniques["frequencies"], "doc", 4)) +
+                      section("  Models", table(techniques["models"], "doc", 4)) + "  Keys\n";
+    for (const ordered_json &key : techniques["keys"]) {
+        out += fmt::format("    {}: {}\n{}", key["name"].get<std::string>(), key["doc"].get<std::string>(),
+                           table(key["values"], "doc", 6));
     }
     return out + "\n" + section("Stability cases", table(all["stability"], "doc", 2));
 }
 
-int run_list(bool json, const CommonOptions &common) {
+struct ListFlags {
+    bool json = false;
+};
+
+int run_list(const ListFlags &flags, const CommonOptions &common) {
     const Assets assets = scene_assets(common);
     const ordered_json all{{"version", SANDBOX_VERSION},
                            {"scenes", list_scenes(assets)},
                            {"lessons", list_lessons(assets)},
                            {"techniques", list_techniques()},
                            {"stability", list_stability_cases(assets)}};
-    print(json ? all.dump(2) + "\n" : human_text(all));
+    print(flags.json ? all.dump(2) + "\n" : human_text(all));
     return 0;
 }
 
 } // namespace
 
 void add_list(CLI::App &app, CommonOptions &common, Run &run) {
-    CLI::App *command = app.add_subcommand("list", "Built-in scenes, lessons, techniques, stability cases");
-    auto json = std::make_shared<bool>(false);
-    command->add_flag("--json", *json, "As JSON");
-    add_common_options(*command, common);
-    command->callback([json, &common, &run] { run = [json, &common] { return run_list(*json, common); }; });
+    CLI::App &command = *app.add_subcommand("list", "List built-in scenes, lessons, techniques and stability cases");
+    const auto flags = std::make_shared<ListFlags>();
+    command.add_flag("--json", flags->json, "Print JSON");
+    run_when_chosen(command, common, run, flags, run_list);
 }
 
 } // namespace sandbox

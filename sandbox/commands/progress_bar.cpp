@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <fmt/format.h>
 #include <unistd.h>
 
 namespace sandbox {
 namespace {
 
 using namespace std::chrono_literals;
-constexpr int bar_cells = 40;
+constexpr std::size_t bar_cells = 40;
 
 } // namespace
 
@@ -25,12 +26,12 @@ void ProgressBar::report(double share) {
     if (Clock::now() < next_ || (share >= 1 && !shown_)) {
         return;
     }
-    const int percent = static_cast<int>(100 * std::clamp(share, 0.0, 1.0));
+    const auto percent = static_cast<std::size_t>(100 * std::clamp(share, 0.0, 1.0));
     if (terminal_) {
-        const std::string bar(static_cast<std::size_t>(bar_cells * percent / 100), '#');
-        std::fprintf(stderr, "\r%s [%-*s] %3d %%", what_.c_str(), bar_cells, bar.c_str(), percent);
+        fmt::print(stderr, "\r{} [{:<{}}] {:3} %", what_, std::string(bar_cells * percent / 100, '#'), bar_cells,
+                   percent);
     } else {
-        std::fprintf(stderr, "%s: %d %%\n", what_.c_str(), percent);
+        fmt::print(stderr, "{}: {} %\n", what_, percent);
     }
     shown_ = true;
     next_ = Clock::now() + (terminal_ ? 100ms : 2000ms);

@@ -5,8 +5,8 @@
 
 namespace sandbox {
 
-/// How far long work is, on standard error: a bar on a terminal, a line every few seconds otherwise. Work that is over
-/// within a second says nothing. Not thread-safe.
+/// Progress of long work on standard error: a bar on a terminal, otherwise a line every few seconds. Work that takes
+/// less than a second shows nothing. Not thread-safe.
 class ProgressBar {
   public:
     explicit ProgressBar(std::string what);

@@ -5,38 +5,35 @@
 #include "commands/progress_bar.h"
 #include "image/image_file.h"
 
-#include <memory>
+#include <fmt/format.h>
 
 namespace sandbox {
 namespace {
 
 struct ReferenceFlags {
-    std::string scene;
+    std::string scene, view;
     std::filesystem::path out;
-    std::string technique{default_technique};
-    std::string size{default_size};
-    std::string view;
+    Technique technique;
+    Size size = default_picture_size;
     std::string surface = "mesh";
 };
 
 int run_reference(const ReferenceFlags &flags, const CommonOptions &common) {
     const bool pfm = check_output(flags.out, {".png", ".pfm"}) == ".pfm";
-    const Technique technique = with_flag("--technique", [&] { return parse_technique(flags.technique); });
-    const Size size = parse_size(flags.size);
     const Scene scene = open_scene(common, flags.scene, flags.view);
     const std::vector<ObjectResources> resources = Resources(scene_assets(common)).load(scene);
+    const Surface surface = flags.surface == "analytic" ? Surface::analytic : Surface::mesh;
     ProgressBar bar("reference " + flags.out.filename().string());
     const ReferenceFrame truth = with_flag("--surface " + flags.surface, [&] {
-        return render_reference(scene, resources, technique, size,
-                                flags.surface == "analytic" ? Surface::analytic : Surface::mesh, [&](double share) {
-                                    bar.report(share);
-                                    return true;
-                                });
+        return render_reference(scene, resources, flags.technique, flags.size, surface, [&](double share) {
+            bar.report(share);
+            return true;
+        });
     });
     const Image picture = to_frame(truth).color;
     write_output(flags.out, pfm ? encode_pfm(picture) : encode_png(to_display(picture)));
     if (common.verbose) {
-        note("reference: " + std::to_string(truth.milliseconds) + " ms");
+        note(fmt::format("reference: {:.1f} ms", truth.milliseconds));
     }
     return 0;
 }
@@ -44,24 +41,18 @@ int run_reference(const ReferenceFlags &flags, const CommonOptions &common) {
 } // namespace
 
 void add_reference(CLI::App &app, CommonOptions &common, Run &run) {
-    CLI::App *command = app.add_subcommand("reference", "The double-precision image of the same equation, on the CPU");
-    auto flags = std::make_shared<ReferenceFlags>();
-    command->add_option("SCENE", flags->scene, "Built-in name, .json or .obj")->type_name("")->required();
-    command->add_option("--out", flags->out, "FILE.png (8 bit) or FILE.pfm (float32 linear RGB)")
-        ->type_name("FILE")
-        ->required();
-    command->add_option("--technique", flags->technique, "Evaluated where it says, in double")
-        ->type_name("T")
-        ->capture_default_str();
-    command->add_option("--size", flags->size, "Of the picture")->type_name("WxH")->capture_default_str();
-    command->add_option("--view", flags->view, "One of the scene's named views")->type_name("NAME");
-    command->add_option("--surface", flags->surface, "The triangles, or the shapes they stand for (not for OBJ)")
-        ->type_name("mesh|analytic")
-        ->check(CLI::IsMember({"mesh", "analytic"}).description(""))
-        ->capture_default_str();
-    command->footer("Needs no OpenGL.");
-    add_common_options(*command, common);
-    command->callback([flags, &common, &run] { run = [flags, &common] { return run_reference(*flags, common); }; });
+    CLI::App &command = *app.add_subcommand("reference", "Draw a scene in double precision, on the CPU");
+    const auto flags = std::make_shared<ReferenceFlags>();
+    add_scene(command, flags->scene);
+    add_value(command, "--out", "FILE", flags->out, "FILE.png (8 bit) or FILE.pfm (linear RGB in float32)")->required();
+    add_parsed(command, "--technique", "T", flags->technique, parse_technique,
+               "Technique to evaluate, in double precision [per-pixel/blinn-phong]");
+    add_parsed(command, "--size", "WxH", flags->size, parse_size, "Size of the picture [1280x720]");
+    add_view_name(command, flags->view);
+    add_choice(command, "--surface", {"mesh", "analytic"}, flags->surface,
+               "Draw the triangles, or the exact shapes that they approximate (not for .obj) [mesh]");
+    command.footer("Needs no OpenGL.");
+    run_when_chosen(command, common, run, flags, run_reference);
 }
 
 } // namespace sandbox

@@ -40,7 +40,7 @@ void stop(int) {
 PlanOptions plan_options(const ReportFlags &flags) {
     PlanOptions options = flags.quick ? quick_plan() : PlanOptions{};
     if (!flags.size.empty()) {
-        options.size = parse_size(flags.size);
+        options.size = with_flag("--size", [&] { return parse_size(flags.size); });
     }
     if (flags.repeats > 0) {
         options.repeats = flags.repeats;

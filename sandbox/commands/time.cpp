@@ -3,14 +3,12 @@
 #include "commands/interrupt.h"
 #include "commands/session.h"
 #include "image/image_file.h"
-#include "scene/scene_file.h"
 
 #include <charconv>
 #include <chrono>
+#include <fmt/format.h>
 #include <iostream>
-#include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 namespace sandbox {
 namespace {
@@ -20,8 +18,8 @@ constexpr int most_frames = 1000000;
 
 struct TimeFlags {
     std::string scene;
-    std::string technique{default_technique};
-    std::string size{default_size};
+    Technique technique;
+    Size size = default_picture_size;
     std::string frames = "30";
     std::filesystem::path out;
 };
@@ -34,8 +32,7 @@ int parse_frames(std::string_view text, std::string_view where) {
     int frames = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), frames);
     if (error != std::errc() || end != text.data() + text.size() || frames < 1 || frames > most_frames) {
-        throw InputError(std::string(where) + ": expected a number of frames from 1 to 1000000, got '" +
-                         std::string(text) + "'");
+        throw InputError("{}: expected a number of frames from 1 to {}, got '{}'", where, most_frames, text);
     }
     return frames;
 }
@@ -75,16 +72,15 @@ int run_time(const TimeFlags &flags, const CommonOptions &common) {
     }
     const bool by_lines = flags.frames == "-";
     const int frames = by_lines ? 0 : parse_frames(flags.frames, "--frames");
-    const Technique technique = with_flag("--technique", [&] { return parse_technique(flags.technique); });
-    const Size size = parse_size(flags.size);
     const Scene scene = open_scene(common, flags.scene);
 
     DrawingSession session(common);
-    TimedFrames timed(session.renderer(), scene, technique, size);
+    TimedFrames timed(session.renderer(), scene, flags.technique, flags.size);
     timed.draw();
     const auto first = Clock::now().time_since_epoch();
     const nlohmann::ordered_json header{
-        {"case", flags.scene + " " + to_string(technique) + " " + flags.size},
+        {"case",
+         fmt::format("{} {} {}x{}", flags.scene, to_string(flags.technique), flags.size.width, flags.size.height)},
         {"renderer", session.context().renderer()},
         {"first_ns", std::chrono::duration_cast<std::chrono::nanoseconds>(first).count()}};
     print(header.dump() + "\n");
@@ -104,22 +100,19 @@ int run_time(const TimeFlags &flags, const CommonOptions &common) {
 } // namespace
 
 void add_time(CLI::App &app, CommonOptions &common, Run &run) {
-    CLI::App *command = app.add_subcommand("time", "Run time of finished frames, as JSON lines");
-    auto flags = std::make_shared<TimeFlags>();
-    command->add_option("SCENE", flags->scene, "Built-in name, .json or .obj")->type_name("")->required();
-    command->add_option("--technique", flags->technique, "What to time")->type_name("T")->capture_default_str();
-    command->add_option("--size", flags->size, "Of the frames")->type_name("WxH")->capture_default_str();
-    command
-        ->add_option("--frames", flags->frames,
-                     "How many after the first; -: as many as each line of standard input says, until it ends")
-        ->type_name("N|-")
-        ->capture_default_str();
-    command->add_option("--out", flags->out, "The last frame, as PNG, at the end")->type_name("FILE.png");
-    command->footer(
-        "First line: {\"case\", \"renderer\", \"first_ns\"}; first_ns is the monotonic clock in nanoseconds when the\n"
-        "first frame was finished. Then {\"ms\": [...]} for each batch. A frame is clear, draw, finish.");
-    add_common_options(*command, common);
-    command->callback([flags, &common, &run] { run = [flags, &common] { return run_time(*flags, common); }; });
+    CLI::App &command = *app.add_subcommand("time", "Time finished frames; prints JSON lines");
+    const auto flags = std::make_shared<TimeFlags>();
+    add_scene(command, flags->scene);
+    add_parsed(command, "--technique", "T", flags->technique, parse_technique,
+               "Technique to time [per-pixel/blinn-phong]");
+    add_parsed(command, "--size", "WxH", flags->size, parse_size, "Size of the frames [1280x720]");
+    add_value(command, "--frames", "N|-", flags->frames, "Frames after the first; '-' reads counts from stdin [30]");
+    add_value(command, "--out", "FILE.png", flags->out, "Write the last frame to this file");
+    command.footer(
+        R"(The first line is {"case", "renderer", "first_ns"}: first_ns is the monotonic clock, in nanoseconds,
+when the first frame was finished. Each batch of frames adds a line {"ms": [...]}. A frame is: clear, draw,
+finish.)");
+    run_when_chosen(command, common, run, flags, run_time);
 }
 
 } // namespace sandbox

@@ -2,12 +2,14 @@
 #include "ui/window.h"
 
 #include <cstdlib>
-#include <memory>
 
 namespace sandbox {
 namespace {
 
-constexpr std::string_view first_scene = "three-point-lights";
+struct ViewFlags {
+    std::string scene = "three-point-lights";
+    std::optional<Technique> left, right; ///< absent: a sidecar's or the window's own
+};
 
 bool has_display_server() {
     const auto set = [](const char *name) {
@@ -17,24 +19,19 @@ bool has_display_server() {
     return set("DISPLAY") || set("WAYLAND_DISPLAY");
 }
 
-void take_technique(std::optional<Technique> &technique, const char *flag, const std::optional<std::string> &text) {
-    if (text) {
-        technique = with_flag(flag, [&] { return parse_technique(*text); });
-    }
-}
-
-} // namespace
-
-int view_scene(const CommonOptions &common, const ViewFlags &flags) {
+int run_view(const ViewFlags &flags, const CommonOptions &common) {
     WindowOptions options;
     options.assets = scene_assets(common);
     options.shaders = shader_assets(common);
-    const std::string shown = flags.scene.empty() ? std::string(first_scene) : flags.scene;
-    options.file = open_file(shown, options.assets); // a wrong name is said before a display is looked for
-    options.file.scene = open_scene(common, shown);  // with every --set
-    take_technique(options.file.left, "--left", flags.left);
-    take_technique(options.file.right, "--right", flags.right);
-    options.file.textbook_left = options.file.textbook_left && !flags.left;
+    options.file = open_file(flags.scene, options.assets); // reports a wrong name before a missing display
+    options.file.scene = open_scene(common, flags.scene);  // with every --set
+    if (flags.left) {
+        options.file.left = flags.left;
+        options.file.textbook_left = false;
+    }
+    if (flags.right) {
+        options.file.right = flags.right;
+    }
     if (!has_display_server()) {
         throw MachineError("no display server (DISPLAY and WAYLAND_DISPLAY are unset), so no window can open. Use "
                            "`shading-sandbox capture SCENE --out FILE.png` for pictures without a window, or run.sh");
@@ -42,15 +39,20 @@ int view_scene(const CommonOptions &common, const ViewFlags &flags) {
     return run_window(options);
 }
 
+} // namespace
+
 void add_view(CLI::App &app, CommonOptions &common, Run &run) {
-    CLI::App *command = app.add_subcommand("view", "Open the window (as no command does)");
-    auto flags = std::make_shared<ViewFlags>();
-    command->add_option("SCENE", flags->scene, "Built-in name, .json (a sidecar too) or .obj")->type_name("");
-    command->add_option("--left", flags->left, "Technique of the left view, A [per-vertex/phong]")->type_name("T");
-    command->add_option("--right", flags->right, "Technique of the right view, B [per-pixel/blinn-phong]")
-        ->type_name("T");
-    add_common_options(*command, common);
-    command->callback([flags, &common, &run] { run = [flags, &common] { return view_scene(common, *flags); }; });
+    const auto flags = std::make_shared<ViewFlags>();
+    add_value(app, "SCENE", "", flags->scene, "Without a command: the scene to open in the window");
+    run = [flags, &common] { return run_view(*flags, common); };
+    CLI::App &command = *app.add_subcommand("view", "Open the window (the default without a command)");
+    add_value(command, "SCENE", "", flags->scene, "Built-in name, or path of a .json, sidecar or .obj file")
+        ->capture_default_str();
+    add_parsed(command, "--left", "T", flags->left, parse_technique,
+               "Technique of the left view, A [per-vertex/phong]");
+    add_parsed(command, "--right", "T", flags->right, parse_technique,
+               "Technique of the right view, B [per-pixel/blinn-phong]");
+    run_when_chosen(command, common, run, flags, run_view);
 }
 
 } // namespace sandbox

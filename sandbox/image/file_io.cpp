@@ -1,5 +1,6 @@
+#include "image/file_io.h"
+
 #include "image/error.h"
-#include "image/image_file.h"
 
 #include <cerrno>
 #include <cstdio>
@@ -13,11 +14,11 @@ namespace {
 namespace fs = std::filesystem;
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE *)>;
 
-// Nothing that this program reads is larger; a device or a pipe may never end.
+// This program reads nothing larger; a device or a pipe may never end.
 constexpr std::size_t read_limit = std::size_t{1} << 30;
 
-[[noreturn]] void refuse(const fs::path &path, const std::string &what, int error) {
-    throw InputError(path.string() + ": " + what + " (" + std::strerror(error) + ")");
+[[noreturn]] void refuse(const fs::path &path, std::string_view what, int error) {
+    throw InputError("{}: {} ({})", path.string(), what, std::strerror(error));
 }
 
 bool write_whole(const fs::path &path, std::string_view bytes) {
@@ -66,7 +67,7 @@ void write_file(const fs::path &path, std::string_view bytes) {
         return;
     }
     fs::path temporary = target;
-    temporary += "." + std::to_string(::getpid()) + ".part";
+    temporary += fmt::format(".{}.part", ::getpid());
     if (!write_whole(temporary, bytes) || std::rename(temporary.c_str(), target.c_str()) != 0) {
         const int error = errno;
         fs::remove(temporary, ignored);

@@ -23,6 +23,16 @@ bool finite(const glm::vec4 &pixel) {
 
 } // namespace
 
+Image from_bytes(Size size, const unsigned char *bytes, int channels) {
+    Image image(size);
+    for (glm::vec4 &pixel : image.pixels) {
+        for (int channel = 0; channel < channels; ++channel) {
+            pixel[channel] = static_cast<float>(*bytes++) / 255.0F;
+        }
+    }
+    return image;
+}
+
 ByteImage to_display(const Image &image, Display display, double exposure) {
     ByteImage out{image.size, {}};
     out.rgb.reserve(image.pixels.size() * 3);

@@ -28,6 +28,12 @@ struct Image {
     [[nodiscard]] glm::vec4 &at(int x, int y) { return pixels[index(x, y)]; }
 };
 
+/// The most pixels a side of a picture that is read from a file.
+constexpr int max_image_side = 8192;
+
+/// An image from interleaved 8-bit values, 3 or 4 channels a pixel, row 0 at the top; each is divided by 255.
+Image from_bytes(Size size, const unsigned char *bytes, int channels);
+
 /// 8-bit RGB, row 0 at the top: what a PNG holds.
 struct ByteImage {
     Size size;
@@ -36,10 +42,10 @@ struct ByteImage {
 
 enum class Display { linear, srgb };
 
-/// What a screen shows: exposure, clamp to [0, 1], the transfer curve, round to nearest. Non-finite becomes magenta.
+/// What a screen shows: exposure, clamp to [0, 1], transfer curve, round to nearest. Non-finite pixels become magenta.
 ByteImage to_display(const Image &image, Display display = Display::linear, double exposure = 1);
 
-/// A drawn picture, whatever drew it.
+/// A drawn picture: by OpenGL or by the reference.
 struct Frame {
     Image color;
     std::vector<std::uint32_t> object_ids; ///< per pixel, 0 background, i + 1 objects[i]; empty unless asked for

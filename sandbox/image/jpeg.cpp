@@ -1,9 +1,9 @@
-#include "image/codecs.h"
+#include "image/jpeg.h"
+
 #include "image/error.h"
 
 #include <csetjmp>
 #include <cstdio>
-#include <string>
 #include <vector>
 
 #include <jerror.h>
@@ -27,7 +27,7 @@ struct Decoder {
     std::longjmp(decoder->back, 1);
 }
 
-/// Warnings are damage that libjpeg would paint over; stray bytes between markers harm nothing.
+/// A warning means damage that libjpeg would paint over. Stray bytes between markers do no harm.
 void refuse_damage(j_common_ptr info, int level) {
     if (level < 0 && info->err->msg_code != JWRN_EXTRANEOUS_DATA) {
         fail(info);
@@ -43,7 +43,7 @@ void refuse_many_scans(j_common_ptr info) {
     }
 }
 
-/// Holds no object with a destructor across the jump. False: decoder.message says why.
+/// False: decoder.message says why. No object with a destructor may live here, for the jump would skip it.
 bool decode(Decoder &decoder, std::string_view bytes, std::vector<unsigned char> &rgb, Size &size) {
     jpeg_decompress_struct &info = decoder.info;
     info.err = jpeg_std_error(&decoder.errors);
@@ -85,7 +85,7 @@ Image decode_jpeg(std::string_view bytes, std::string_view name) {
     const bool good = decode(decoder, bytes, rgb, size);
     jpeg_destroy_decompress(&decoder.info);
     if (!good) {
-        throw InputError(std::string(name) + ": cannot decode the JPEG file (" + decoder.message + ")");
+        throw InputError("{}: cannot decode the JPEG file ({})", name, decoder.message);
     }
     return from_bytes(size, rgb.data(), 3);
 }

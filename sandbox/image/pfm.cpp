@@ -1,4 +1,4 @@
-#include "image/image_file.h"
+#include "image/pfm.h"
 
 #include "image/error.h"
 
@@ -9,8 +9,8 @@
 namespace sandbox {
 namespace {
 
-[[noreturn]] void refuse(std::string_view name, const std::string &why) {
-    throw InputError(std::string(name) + ": cannot decode the PFM file (" + why + ")");
+[[noreturn]] void refuse(std::string_view name, std::string_view why) {
+    throw InputError("{}: cannot decode the PFM file ({})", name, why);
 }
 
 void append_float(std::string &out, float value) {
@@ -45,14 +45,13 @@ template <class T> bool parse(std::string_view word, T &value) {
 } // namespace
 
 std::string encode_pfm(const Image &image) {
-    std::string out = "PF\n" + std::to_string(image.size.width) + " " + std::to_string(image.size.height) + "\n-1.0\n";
+    std::string out = fmt::format("PF\n{} {}\n-1.0\n", image.size.width, image.size.height);
     out.reserve(out.size() + image.pixels.size() * 12);
     for (int y = image.size.height - 1; y >= 0; --y) {
         for (int x = 0; x < image.size.width; ++x) {
-            const glm::vec4 &pixel = image.at(x, y);
-            append_float(out, pixel.r);
-            append_float(out, pixel.g);
-            append_float(out, pixel.b);
+            for (int channel = 0; channel < 3; ++channel) {
+                append_float(out, image.at(x, y)[channel]);
+            }
         }
     }
     return out;

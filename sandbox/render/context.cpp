@@ -1,10 +1,14 @@
 #include "render/context.h"
 
 #include "image/error.h"
-#include "render/platform_context.h"
+#include "render/egl_context.h"
+#include "render/gl_state.h"
+#include "render/glfw_context.h"
 
 #include <glad/gl.h>
 
+#include <algorithm>
+#include <array>
 #include <iostream>
 
 namespace sandbox {
@@ -34,14 +38,15 @@ void listen_to_debug_messages() {
 } // namespace
 
 std::unique_ptr<Context> Context::headless(Backend backend) {
-    return backend == Backend::egl ? make_egl_context() : make_hidden_glfw_context();
+    return backend == Backend::egl ? make_egl_context() : make_hidden_window_context();
 }
 
 void Context::load_functions(void (*(*get_proc_address)(const char *))()) {
     const int version = gladLoadGL(get_proc_address);
     if (version < GLAD_MAKE_VERSION(3, 3)) {
-        const std::string found = version == 0 ? "none" : gl_string(GL_VERSION) + " by " + gl_string(GL_RENDERER);
-        throw MachineError("OpenGL 3.3 is needed, found " + found + ": " + install_hint);
+        throw MachineError("OpenGL 3.3 is needed, found {}: {}",
+                           version == 0 ? "none" : gl_string(GL_VERSION) + " by " + gl_string(GL_RENDERER),
+                           opengl_install_hint);
     }
 #ifndef NDEBUG
     listen_to_debug_messages();
@@ -53,8 +58,14 @@ std::string Context::version() const { return gl_string(GL_VERSION); }
 
 bool Context::software() {
     const std::string name = gl_string(GL_RENDERER);
-    return name.find("llvmpipe") != std::string::npos || name.find("softpipe") != std::string::npos ||
-           name.find("swrast") != std::string::npos || name.find("SWR") != std::string::npos;
+    return std::ranges::any_of(std::array{"llvmpipe", "softpipe", "swrast", "SWR"},
+                               [&](const char *known) { return name.find(known) != std::string::npos; });
+}
+
+void begin_window_surface(Size framebuffer) {
+    const PassState pass(0, framebuffer, DepthTest::off);
+    glClearColor(0, 0, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
 }
 
 } // namespace sandbox

@@ -1,22 +1,21 @@
 #pragma once
 
+#include "image/image.h"
+
 #include <memory>
 #include <string>
-
-struct GLFWwindow;
+#include <string_view>
 
 namespace sandbox {
 
 enum class Backend { egl, glfw };
 
-/// A current OpenGL 3.3 core context with its functions loaded. Throws MachineError naming what was found and what to
-/// install. One at a time per thread.
+/// A current OpenGL 3.3 core context with its functions loaded. One at a time per thread.
 class Context {
   public:
-    /// No window: EGL (surfaceless, then device, then default display), or a hidden GLFW window.
+    /// Without a visible window: through EGL, or in a hidden GLFW window. Throws MachineError saying what was found and
+    /// what to install.
     static std::unique_ptr<Context> headless(Backend backend = Backend::egl);
-    /// Loads the functions of a window's context, which is made current.
-    static std::unique_ptr<Context> of_window(GLFWwindow *window);
 
     virtual ~Context() = default;
     Context(const Context &) = delete;
@@ -25,13 +24,19 @@ class Context {
     /// GL_RENDERER, GL_VERSION: "llvmpipe (LLVM 15.0.6, 256 bits)", "3.3 (Core Profile) Mesa 22.3.6".
     [[nodiscard]] std::string renderer() const;
     [[nodiscard]] std::string version() const;
-    /// Of the context that is current: true for llvmpipe, softpipe, swrast: time with glFinish.
+    /// Whether the current context draws on the CPU: llvmpipe, softpipe, swrast. Their times need glFinish.
     [[nodiscard]] static bool software();
 
   protected:
     Context() = default;
-    /// Loads the functions of the context that is current; throws MachineError below OpenGL 3.3.
+    /// Loads the functions of the current context. Throws MachineError below OpenGL 3.3.
     static void load_functions(void (*(*get_proc_address)(const char *))());
 };
+
+/// Binds the window's own framebuffer, all of it, and clears it to black: before a frame is drawn into it.
+void begin_window_surface(Size framebuffer);
+
+constexpr std::string_view opengl_install_hint =
+    "install a driver, or Mesa's software one (Debian and Ubuntu: apt install libegl1 libgl1-mesa-dri)";
 
 } // namespace sandbox

@@ -1,5 +1,6 @@
 #include "render/display_pass.h"
 
+#include "render/gl_state.h"
 #include "shading/template.h"
 
 #include <glad/gl.h>
@@ -14,23 +15,10 @@ void bind_picture(int unit, const Target &target) {
 
 constexpr float magenta[4] = {1, 0, 1, 1};
 
-void paint_all(const DisplayTexture &to, const float *color) {
-    glBindFramebuffer(GL_FRAMEBUFFER, to.framebuffer());
-    glDisable(GL_SCISSOR_TEST);
-    glClearBufferfv(GL_COLOR, 0, color);
-}
-
-void cover(const DisplayTexture &to, const VertexArray &empty) {
-    glBindFramebuffer(GL_FRAMEBUFFER, to.framebuffer());
-    glViewport(0, 0, to.size().width, to.size().height);
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_BLEND);
-    glDisable(GL_SCISSOR_TEST);
-    glDisable(GL_CULL_FACE);
+/// One triangle that covers the whole framebuffer.
+void cover(const VertexArray &empty) {
     glBindVertexArray(empty.id());
     glDrawArrays(GL_TRIANGLES, 0, 3);
-    glBindVertexArray(0);
-    glActiveTexture(GL_TEXTURE0);
 }
 
 } // namespace
@@ -41,14 +29,15 @@ DisplayPass::DisplayPass(const ShaderParts &parts)
       empty_(make_vertex_array()), finite_pixels_(make_query()) {}
 
 unsigned DisplayPass::run(const Target &from, DisplayTexture &to, Display display, float exposure) const {
+    const PassState pass(to.framebuffer(), to.size(), DepthTest::off);
     glUseProgram(display_.id());
     display_.set("linear_picture", 0);
     display_.set("exposure", exposure);
     display_.set("srgb", display == Display::srgb ? 1 : 0);
     bind_picture(0, from);
-    paint_all(to, magenta);
+    glClearBufferfv(GL_COLOR, 0, magenta);
     glBeginQuery(GL_SAMPLES_PASSED, finite_pixels_.id());
-    cover(to, empty_);
+    cover(empty_);
     glEndQuery(GL_SAMPLES_PASSED);
     unsigned finite = 0;
     glGetQueryObjectuiv(finite_pixels_.id(), GL_QUERY_RESULT, &finite);
@@ -56,13 +45,14 @@ unsigned DisplayPass::run(const Target &from, DisplayTexture &to, Display displa
 }
 
 void DisplayPass::run_difference(const Target &left, const Target &right, DisplayTexture &to, float gain) const {
+    const PassState pass(to.framebuffer(), to.size(), DepthTest::off);
     glUseProgram(difference_.id());
     difference_.set("left_picture", 0);
     difference_.set("right_picture", 1);
     difference_.set("gain", gain);
     bind_picture(0, left);
     bind_picture(1, right);
-    cover(to, empty_);
+    cover(empty_);
 }
 
 } // namespace sandbox

@@ -1,8 +1,10 @@
+#include "render/egl_context.h"
+
 #include "image/error.h"
-#include "render/platform_context.h"
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
+#include <fmt/format.h>
 
 #include <array>
 #include <cstring>
@@ -27,101 +29,93 @@ std::vector<EGLDisplay> candidate_displays() {
         has_extension(client, "EGL_EXT_platform_device")) {
         std::array<EGLDeviceEXT, 16> devices{};
         EGLint count = 0;
-        query_devices(static_cast<EGLint>(devices.size()), devices.data(), &count);
-        for (EGLint i = 0; i < count; ++i) {
-            displays.push_back(
-                get_platform_display(EGL_PLATFORM_DEVICE_EXT, devices[static_cast<std::size_t>(i)], nullptr));
+        if (query_devices(static_cast<EGLint>(devices.size()), devices.data(), &count) == EGL_TRUE) {
+            for (EGLint i = 0; i < count; ++i) {
+                displays.push_back(
+                    get_platform_display(EGL_PLATFORM_DEVICE_EXT, devices[static_cast<std::size_t>(i)], nullptr));
+            }
         }
     }
     displays.push_back(eglGetDisplay(EGL_DEFAULT_DISPLAY));
     return displays;
 }
 
+/// A display that was initialised, and a context on it that is current without a surface.
 class EglContext final : public Context {
   public:
-    /// Makes a 3.3 core context current without a surface; false where this display cannot.
-    bool try_display(EGLDisplay display) {
-        if (display == EGL_NO_DISPLAY || eglInitialize(display, nullptr, nullptr) != EGL_TRUE) {
-            return false;
-        }
-        displays_.push_back(display);
-        if (eglBindAPI(EGL_OPENGL_API) != EGL_TRUE) {
-            return false;
-        }
-        constexpr std::array<EGLint, 5> config_attributes{EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, 0,
-                                                          EGL_NONE};
-        EGLConfig config = nullptr;
-        EGLint count = 0;
-        if (eglChooseConfig(display, config_attributes.data(), &config, 1, &count) != EGL_TRUE || count == 0) {
-            return false;
-        }
-        constexpr std::array<EGLint, 7> attributes{
-            EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
-            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
-        context_ = eglCreateContext(display, config, EGL_NO_CONTEXT, attributes.data());
-        if (context_ == EGL_NO_CONTEXT) {
-            found_ = older_version(display, config);
-            return false;
-        }
-        display_ = display;
-        return eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_TRUE;
-    }
-
-    static void load() { load_functions(eglGetProcAddress); }
-
-    /// What was there instead of OpenGL 3.3, for the message.
-    [[nodiscard]] const std::string &found() const { return found_; }
-
-    EglContext() = default;
+    explicit EglContext(EGLDisplay display) : display_(display) {}
     ~EglContext() override {
         if (context_ != EGL_NO_CONTEXT) {
             eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
             eglDestroyContext(display_, context_);
         }
-        for (const EGLDisplay display : displays_) {
-            eglTerminate(display);
+        if (initialised_) {
+            eglTerminate(display_);
         }
     }
     EglContext(const EglContext &) = delete;
     EglContext &operator=(const EglContext &) = delete;
 
-  private:
-    /// The version of whatever context the display does give.
-    static std::string older_version(EGLDisplay display, EGLConfig config) {
-        const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr);
-        if (context == EGL_NO_CONTEXT) {
-            return {};
+    /// Makes an OpenGL 3.3 core context current. False where this display has none; then `found` says which version it
+    /// has instead, unless an earlier display has said that already.
+    bool start(std::string &found) {
+        initialised_ = display_ != EGL_NO_DISPLAY && eglInitialize(display_, nullptr, nullptr) == EGL_TRUE;
+        if (!initialised_ || eglBindAPI(EGL_OPENGL_API) != EGL_TRUE) {
+            return false;
         }
-        std::string text;
-        const auto get_string = reinterpret_cast<const unsigned char *(*)(unsigned)>(eglGetProcAddress("glGetString"));
-        if (get_string != nullptr && eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_TRUE) {
-            constexpr unsigned gl_version = 0x1F02;
-            const auto *version = reinterpret_cast<const char *>(get_string(gl_version));
-            text = version != nullptr ? version : "";
-            eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        constexpr std::array<EGLint, 5> wanted{EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, 0, EGL_NONE};
+        EGLint count = 0;
+        if (eglChooseConfig(display_, wanted.data(), &config_, 1, &count) != EGL_TRUE || count == 0) {
+            return false;
         }
-        eglDestroyContext(display, context);
-        return text;
+        constexpr std::array<EGLint, 7> core_3_3{
+            EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+        if (make_current(core_3_3.data())) {
+            load_functions(eglGetProcAddress);
+            return true;
+        }
+        if (found.empty() && make_current(nullptr)) {
+            found = "OpenGL " + version_string();
+        }
+        return false;
     }
 
-    std::vector<EGLDisplay> displays_;
-    EGLDisplay display_ = EGL_NO_DISPLAY;
+  private:
+    bool make_current(const EGLint *attributes) {
+        if (context_ == EGL_NO_CONTEXT) {
+            context_ = eglCreateContext(display_, config_, EGL_NO_CONTEXT, attributes);
+        }
+        return context_ != EGL_NO_CONTEXT &&
+               eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_TRUE;
+    }
+
+    /// Of the current context, whose functions are not loaded because it is too old.
+    static std::string version_string() {
+        constexpr unsigned gl_version = 0x1F02;
+        const auto get_string = reinterpret_cast<const unsigned char *(*)(unsigned)>(eglGetProcAddress("glGetString"));
+        const unsigned char *version = get_string != nullptr ? get_string(gl_version) : nullptr;
+        return version != nullptr ? reinterpret_cast<const char *>(version) : "of an unknown version";
+    }
+
+    EGLDisplay display_;
+    EGLConfig config_ = nullptr;
     EGLContext context_ = EGL_NO_CONTEXT;
-    std::string found_;
+    bool initialised_ = false;
 };
 
 } // namespace
 
 std::unique_ptr<Context> make_egl_context() {
-    auto context = std::make_unique<EglContext>();
+    std::string found;
     for (const EGLDisplay display : candidate_displays()) {
-        if (context->try_display(display)) {
-            EglContext::load();
+        auto context = std::make_unique<EglContext>(display);
+        if (context->start(found)) {
             return context;
         }
     }
-    const std::string found = context->found().empty() ? "no OpenGL through EGL" : "OpenGL " + context->found();
-    throw MachineError("OpenGL 3.3 is needed, found " + found + ": " + install_hint);
+    throw MachineError("OpenGL 3.3 is needed, found {}: {}", found.empty() ? "no OpenGL through EGL" : found,
+                       opengl_install_hint);
 }
 
 } // namespace sandbox

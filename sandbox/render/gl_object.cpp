@@ -2,6 +2,7 @@
 
 #include "image/error.h"
 
+#include <fmt/format.h>
 #include <glad/gl.h>
 
 namespace sandbox {
@@ -9,7 +10,7 @@ namespace {
 
 unsigned checked(unsigned id, const char *what) {
     if (id == 0) {
-        throw MachineError(std::string("OpenGL gave no ") + what + " (error " + std::to_string(glGetError()) + ")");
+        throw MachineError("OpenGL gives no {} (error {:#06x})", what, glGetError());
     }
     return id;
 }

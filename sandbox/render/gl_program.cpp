@@ -1,5 +1,6 @@
 #include "render/gl_program.h"
 
+#include <fmt/format.h>
 #include <glad/gl.h>
 
 #include <vector>
@@ -50,7 +51,7 @@ std::map<std::string, int, std::less<>> active_uniforms(unsigned program) {
         }
         text.resize(text.size() - 3); // an array of basic type: one name an element
         for (GLint element = 0; element < size; ++element) {
-            const std::string indexed = text + "[" + std::to_string(element) + "]";
+            const std::string indexed = fmt::format("{}[{}]", text, element);
             result[indexed] = glGetUniformLocation(program, indexed.c_str());
         }
     }
@@ -78,7 +79,7 @@ GlProgram::GlProgram(const ProgramSource &source) : program_(make_program()) {
 int GlProgram::location(std::string_view name) const {
     const auto found = uniforms_.find(name);
     if (found == uniforms_.end()) {
-        throw std::logic_error("no active uniform '" + std::string(name) + "'");
+        throw std::logic_error(fmt::format("no active uniform '{}'", name));
     }
     return found->second;
 }

@@ -1,5 +1,6 @@
+#include "render/glfw_context.h"
+
 #include "image/error.h"
-#include "render/platform_context.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -7,11 +8,10 @@
 namespace sandbox {
 namespace {
 
-/// The context of a window that somebody else owns.
 class WindowContext : public Context {
   public:
     explicit WindowContext(GLFWwindow *window) {
-        glfwMakeContextCurrent(window);
+        make_current(window);
         load_functions(glfwGetProcAddress);
     }
 };
@@ -28,11 +28,9 @@ class HiddenWindow {
         glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
         window_ = glfwCreateWindow(16, 16, "shading-sandbox", nullptr, nullptr);
         if (window_ == nullptr) {
-            const char *reason = nullptr;
-            glfwGetError(&reason);
-            const std::string found = reason != nullptr ? reason : "no window";
+            const std::string found = glfw_error();
             glfwTerminate();
-            throw MachineError("OpenGL 3.3 is needed, GLFW found: " + found + "; " + install_hint);
+            throw MachineError("OpenGL 3.3 is needed, GLFW found: {}; {}", found, opengl_install_hint);
         }
     }
     ~HiddenWindow() {
@@ -54,8 +52,20 @@ class HiddenWindowContext final : private HiddenWindow, public WindowContext {
 
 } // namespace
 
-std::unique_ptr<Context> Context::of_window(GLFWwindow *window) { return std::make_unique<WindowContext>(window); }
+std::unique_ptr<Context> make_hidden_window_context() { return std::make_unique<HiddenWindowContext>(); }
+std::unique_ptr<Context> make_window_context(GLFWwindow *window) { return std::make_unique<WindowContext>(window); }
 
-std::unique_ptr<Context> make_hidden_glfw_context() { return std::make_unique<HiddenWindowContext>(); }
+void make_current(GLFWwindow *window) {
+    glfwMakeContextCurrent(window);
+    if (glfwGetCurrentContext() != window) {
+        throw MachineError("the window's OpenGL context cannot be made current: {}", glfw_error());
+    }
+}
+
+std::string glfw_error() {
+    const char *reason = nullptr;
+    glfwGetError(&reason);
+    return reason != nullptr ? reason : "no reason given";
+}
 
 } // namespace sandbox

@@ -1,12 +1,12 @@
 #include "render/mesh_buffers.h"
 
-#include "image/error.h"
+#include "render/gl_state.h"
 
+#include <fmt/format.h>
 #include <glad/gl.h>
 #include <glm/geometric.hpp>
 
-#include <array>
-#include <functional>
+#include <type_traits>
 #include <vector>
 
 namespace sandbox {
@@ -16,27 +16,18 @@ template <typename Element> Buffer make_filled(GLenum target, const std::vector<
     Buffer buffer = make_buffer();
     glBindBuffer(target, buffer.id());
     glBufferData(target, static_cast<GLsizeiptr>(elements.size() * sizeof(Element)), elements.data(), GL_STATIC_DRAW);
-    if (glGetError() == GL_OUT_OF_MEMORY) {
-        throw MachineError("the driver has no memory for a mesh of " + std::to_string(elements.size()) + " elements");
-    }
+    check_gl(fmt::format("store a mesh of {} elements", elements.size()));
     return buffer;
 }
 
-/// One float vector per shared vertex, or per triangle corner where `flat`.
-template <typename Vector, typename Value>
-Buffer make_attribute(const Mesh &mesh, bool flat, const Value &value_of_corner) {
-    std::vector<Vector> values;
-    if (!flat) {
-        values.resize(mesh.positions.size());
-    }
+/// One vector per shared vertex, or per triangle corner where `flat`: value_at(triangle, vertex).
+template <typename ValueAt> Buffer make_attribute(const Mesh &mesh, bool flat, const ValueAt &value_at) {
+    std::vector<std::invoke_result_t<ValueAt, glm::uvec3, unsigned>> values;
+    values.resize(flat ? 3 * mesh.triangles.size() : mesh.positions.size());
+    std::size_t corners = 0;
     for (const glm::uvec3 &triangle : mesh.triangles) {
-        for (int corner = 0; corner < 3; ++corner) {
-            const auto value = Vector(value_of_corner(triangle, triangle[corner]));
-            if (flat) {
-                values.push_back(value);
-            } else {
-                values[triangle[corner]] = value;
-            }
+        for (int corner = 0; corner < 3; ++corner, ++corners) {
+            values[flat ? corners : triangle[corner]] = value_at(triangle, triangle[corner]);
         }
     }
     return make_filled(GL_ARRAY_BUFFER, values);
@@ -54,60 +45,44 @@ glm::dvec3 face_normal(const Mesh &mesh, const glm::uvec3 &t) {
     return glm::dot(normal, mean) < 0 ? -normal / length : normal / length;
 }
 
-void bind_attribute(GLuint location, const Buffer &buffer, GLint components) {
-    glBindBuffer(GL_ARRAY_BUFFER, buffer.id());
-    glEnableVertexAttribArray(location);
-    glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, 0, nullptr);
-}
-
 } // namespace
 
-void MeshBuffers::upload(Arrangement &a, const VertexLayout &layout) const {
+VertexArray MeshBuffers::make_array(const VertexLayout &layout) {
     const Mesh &mesh = *mesh_;
     const bool flat = layout.flat;
-    if (a.positions.id() == 0) {
-        a.count = static_cast<int>(mesh.triangles.size() * 3);
-        a.positions = make_attribute<glm::vec3>(
-            mesh, flat, [&](const glm::uvec3 &, unsigned vertex) { return mesh.positions[vertex] - origin_; });
-        if (!flat) {
-            a.indices = make_filled(GL_ELEMENT_ARRAY_BUFFER, mesh.triangles);
-        }
-    }
-    if (layout.normal && a.normals.id() == 0) {
-        a.normals = make_attribute<glm::vec3>(mesh, flat, [&](const glm::uvec3 &t, unsigned vertex) {
-            return flat ? face_normal(mesh, t) : mesh.normals[vertex];
-        });
-    }
-    if (layout.uv && a.uvs.id() == 0) {
-        a.uvs = make_attribute<glm::vec2>(mesh, flat, [&](const glm::uvec3 &, unsigned vertex) {
-            return mesh.uvs.empty() ? glm::dvec2(0) : mesh.uvs[vertex];
-        });
-    }
-    if (layout.centroid && a.centroids.id() == 0) {
-        a.centroids = make_attribute<glm::vec3>(mesh, flat, [&](const glm::uvec3 &t, unsigned) {
-            return (mesh.positions[t.x] + mesh.positions[t.y] + mesh.positions[t.z]) / 3.0 - origin_;
-        });
-    }
-}
-
-VertexArray MeshBuffers::make_array(const VertexLayout &layout) {
-    glBindVertexArray(0);
-    Arrangement &a = layout.flat ? flat_ : shared_;
-    upload(a, layout);
+    Arrangement &buffers = flat ? flat_ : shared_;
     VertexArray array = make_vertex_array();
     glBindVertexArray(array.id());
-    bind_attribute(0, a.positions, 3);
+    const auto attach = [&](GLuint location, Buffer &buffer, const auto &value_at) {
+        if (buffer.id() == 0) {
+            buffer = make_attribute(mesh, flat, value_at);
+        }
+        glBindBuffer(GL_ARRAY_BUFFER, buffer.id());
+        glEnableVertexAttribArray(location);
+        glVertexAttribPointer(location, decltype(value_at({}, 0U))::length(), GL_FLOAT, GL_FALSE, 0, nullptr);
+    };
+    attach(0, buffers.positions,
+           [&](const glm::uvec3 &, unsigned v) { return glm::vec3(mesh.positions[v] - origin_); });
     if (layout.normal) {
-        bind_attribute(1, a.normals, 3);
+        attach(1, buffers.normals, [&](const glm::uvec3 &t, unsigned v) {
+            return glm::vec3(flat ? face_normal(mesh, t) : mesh.normals[v]);
+        });
     }
     if (layout.uv) {
-        bind_attribute(2, a.uvs, 2);
+        attach(2, buffers.uvs, [&](const glm::uvec3 &, unsigned v) {
+            return mesh.uvs.empty() ? glm::vec2(0) : glm::vec2(mesh.uvs[v]);
+        });
     }
     if (layout.centroid) {
-        bind_attribute(3, a.centroids, 3);
+        attach(3, buffers.centroids, [&](const glm::uvec3 &t, unsigned) {
+            return glm::vec3((mesh.positions[t.x] + mesh.positions[t.y] + mesh.positions[t.z]) / 3.0 - origin_);
+        });
     }
-    if (!layout.flat) {
-        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, a.indices.id());
+    if (!flat) {
+        if (buffers.indices.id() == 0) {
+            buffers.indices = make_filled(GL_ELEMENT_ARRAY_BUFFER, mesh.triangles);
+        }
+        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers.indices.id());
     }
     return array;
 }
@@ -118,10 +93,11 @@ void MeshBuffers::draw(const VertexLayout &layout) {
         found = arrays_.emplace(layout, make_array(layout)).first;
     }
     glBindVertexArray(found->second.id());
+    const auto corners = static_cast<GLsizei>(mesh_->triangles.size() * 3);
     if (layout.flat) {
-        glDrawArrays(GL_TRIANGLES, 0, flat_.count);
+        glDrawArrays(GL_TRIANGLES, 0, corners);
     } else {
-        glDrawElements(GL_TRIANGLES, shared_.count, GL_UNSIGNED_INT, nullptr);
+        glDrawElements(GL_TRIANGLES, corners, GL_UNSIGNED_INT, nullptr);
     }
     glBindVertexArray(0);
 }

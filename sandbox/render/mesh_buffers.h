@@ -15,10 +15,10 @@ struct VertexLayout {
     auto operator<=>(const VertexLayout &) const = default;
 };
 
-/// A mesh on the GPU: a buffer for each attribute, made when a program first reads it.
+/// A mesh on the GPU: a buffer for each attribute, made when a program first needs it.
 class MeshBuffers {
   public:
-    /// Positions are uploaded less `origin`.
+    /// `origin` is subtracted from the positions before they are rounded to float32.
     MeshBuffers(std::shared_ptr<const Mesh> mesh, const glm::dvec3 &origin) : mesh_(std::move(mesh)), origin_(origin) {}
     /// Draws all triangles with the program and framebuffer in use.
     void draw(const VertexLayout &layout);
@@ -26,9 +26,7 @@ class MeshBuffers {
   private:
     struct Arrangement { ///< shared (indexed) or flat vertices
         Buffer positions, normals, uvs, centroids, indices;
-        int count = 0;
     };
-    void upload(Arrangement &arrangement, const VertexLayout &layout) const;
     VertexArray make_array(const VertexLayout &layout);
 
     std::shared_ptr<const Mesh> mesh_;

@@ -1,13 +1,14 @@
 #include "render/target.h"
 
 #include "image/error.h"
+#include "render/gl_state.h"
 
+#include <fmt/format.h>
 #include <glad/gl.h>
 
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <string>
 
 namespace sandbox {
 namespace {
@@ -28,12 +29,11 @@ void attach(GLenum point, const Texture &texture) {
 }
 
 void require_complete(Size size) {
+    check_gl(fmt::format("store a picture of {}x{}", size.width, size.height));
     const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
-    const GLenum error = glGetError();
-    if (status != GL_FRAMEBUFFER_COMPLETE || error != GL_NO_ERROR) {
-        throw MachineError("the driver refuses a float target of " + std::to_string(size.width) + "x" +
-                           std::to_string(size.height) + " (status " + std::to_string(status) + ", error " +
-                           std::to_string(error) + ")");
+    if (status != GL_FRAMEBUFFER_COMPLETE) {
+        throw MachineError("the driver refuses to draw into a picture of {}x{} (status {:#06x})", size.width,
+                           size.height, status);
     }
 }
 
@@ -41,9 +41,8 @@ void require_possible(Size size) {
     GLint largest = 0;
     glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
     if (size.width < 1 || size.height < 1 || size.width > largest || size.height > largest) {
-        throw MachineError("this driver draws pictures of 1x1 to " + std::to_string(largest) + "x" +
-                           std::to_string(largest) + ", not " + std::to_string(size.width) + "x" +
-                           std::to_string(size.height));
+        throw MachineError("this driver draws pictures of 1x1 to {0}x{0}, not {1}x{2}", largest, size.width,
+                           size.height);
     }
 }
 
@@ -82,15 +81,29 @@ void Target::write_color(const Image &image) {
     flip_rows(bottom_first, size_);
     glBindTexture(GL_TEXTURE_2D, color_.id());
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size_.width, size_.height, GL_RGBA, GL_FLOAT, bottom_first.data());
+    check_gl("replace a picture");
+}
+
+template <typename Pixel>
+std::vector<Pixel> Target::read_pixels(unsigned attachment, unsigned layout, unsigned type) const {
+    std::vector<Pixel> pixels(static_cast<std::size_t>(size_.width) * static_cast<std::size_t>(size_.height));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.id());
+    glReadBuffer(attachment);
+    glReadPixels(0, 0, size_.width, size_.height, layout, type, pixels.data());
+    check_gl("read a picture back");
+    flip_rows(pixels, size_);
+    return pixels;
 }
 
 Image Target::read_color() const {
-    Image image(size_);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.id());
-    glReadBuffer(GL_COLOR_ATTACHMENT0);
-    glReadPixels(0, 0, size_.width, size_.height, GL_RGBA, GL_FLOAT, image.pixels.data());
-    flip_rows(image.pixels, size_);
+    Image image;
+    image.size = size_;
+    image.pixels = read_pixels<glm::vec4>(GL_COLOR_ATTACHMENT0, GL_RGBA, GL_FLOAT);
     return image;
+}
+
+std::vector<std::uint32_t> Target::read_object_ids() const {
+    return read_pixels<std::uint32_t>(GL_COLOR_ATTACHMENT1, GL_RED_INTEGER, GL_UNSIGNED_INT);
 }
 
 glm::vec4 Target::read_pixel(int x, int y) const {
@@ -98,16 +111,8 @@ glm::vec4 Target::read_pixel(int x, int y) const {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.id());
     glReadBuffer(GL_COLOR_ATTACHMENT0);
     glReadPixels(x, size_.height - 1 - y, 1, 1, GL_RGBA, GL_FLOAT, &pixel);
+    check_gl("read a pixel back");
     return pixel;
-}
-
-std::vector<std::uint32_t> Target::read_object_ids() const {
-    std::vector<std::uint32_t> ids(static_cast<std::size_t>(size_.width) * static_cast<std::size_t>(size_.height));
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.id());
-    glReadBuffer(GL_COLOR_ATTACHMENT1);
-    glReadPixels(0, 0, size_.width, size_.height, GL_RED_INTEGER, GL_UNSIGNED_INT, ids.data());
-    flip_rows(ids, size_);
-    return ids;
 }
 
 DisplayTexture::DisplayTexture(Size size) : size_(size) {
@@ -127,6 +132,7 @@ DisplayTexture::DisplayTexture(const ByteImage &picture) : DisplayTexture(pictur
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1); // rows of three bytes a pixel
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size_.width, size_.height, GL_RGB, GL_UNSIGNED_BYTE, bottom_first.data());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    check_gl("store a picture to show");
 }
 
 } // namespace sandbox

@@ -29,6 +29,9 @@ class Target {
     [[nodiscard]] std::vector<std::uint32_t> read_object_ids() const;
 
   private:
+    template <typename Pixel>
+    [[nodiscard]] std::vector<Pixel> read_pixels(unsigned attachment, unsigned layout, unsigned type) const;
+
     Size size_;
     Texture color_, ids_;
     Renderbuffer depth_;

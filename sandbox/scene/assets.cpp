@@ -1,7 +1,7 @@
 #include "scene/assets.h"
 
 #include "image/error.h"
-#include "image/image_file.h"
+#include "image/file_io.h"
 #include "scene/embedded.h"
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 Assets::Assets(std::string root, fs::path folder) : root_(std::move(root)), folder_(std::move(folder)) {
     std::error_code ignored;
     if (!folder_.empty() && !fs::is_directory(folder_, ignored)) {
-        throw InputError("--" + root_ + " " + folder_.string() + ": expected a folder");
+        throw InputError("--{} {}: expected a folder", root_, folder_.string());
     }
 }
 

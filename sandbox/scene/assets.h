@@ -8,8 +8,8 @@
 
 namespace sandbox {
 
-/// The built-in files, by their path below assets/ or shaders/: the copies inside the executable, or a folder on disk
-/// in their place (--assets DIR, --shaders DIR).
+/// The built-in files, by their path below assets/ or shaders/: the copies inside the executable, or those of a folder
+/// on disk instead (--assets DIR, --shaders DIR).
 class Assets {
   public:
     /// `root` is "assets" or "shaders"; `folder` empty: the copies inside the executable.

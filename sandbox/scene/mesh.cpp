@@ -3,25 +3,11 @@
 #include "scene/shapes.h"
 
 #include <algorithm>
-#include <cassert>
-#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 namespace sandbox {
 namespace {
-
-struct Builder {
-    Mesh operator()(const SphereShape &shape) const { return sphere_mesh(shape); }
-    Mesh operator()(const BoxShape &shape) const { return box_mesh(shape); }
-    Mesh operator()(const PlaneShape &shape) const { return plane_mesh(shape); }
-    Mesh operator()(const CylinderShape &shape) const { return cylinder_mesh(shape); }
-    Mesh operator()(const TorusShape &shape) const { return torus_mesh(shape); }
-    Mesh operator()(const ObjShape &) const {
-        assert(false && "an OBJ is read by Resources");
-        return {};
-    }
-};
 
 /// Three normals interpolate to 0 only if no open half space holds them, which needs a pair at 120 degrees or more.
 bool has_opposing_normals(const Mesh &mesh) {
@@ -39,17 +25,15 @@ void summarise(Mesh &mesh) {
 }
 
 Mesh build_mesh(const Shape &shape) {
-    Mesh mesh = std::visit(Builder{}, shape);
+    Mesh mesh = shape_mesh(shape);
     summarise(mesh);
     return mesh;
 }
 
 double half_extent(const Mesh &mesh) {
-    double extent = 0;
-    for (const glm::dvec3 &p : mesh.positions) {
-        extent = std::max({extent, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-    }
-    return extent;
+    const Bounds bounds = bounds_of(mesh);
+    const glm::dvec3 extent = glm::max(glm::abs(bounds.low), glm::abs(bounds.high));
+    return std::max({extent.x, extent.y, extent.z});
 }
 
 Bounds bounds_of(const Mesh &mesh) {

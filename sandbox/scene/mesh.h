@@ -20,8 +20,9 @@ struct Mesh {
     std::vector<glm::dvec3> normals;
     std::vector<glm::dvec2> uvs;
     std::vector<glm::uvec3> triangles;
-    bool closed = false;           ///< encloses a volume: its back faces cannot be seen from outside
-    Bounds bounds;                 ///< found by summarise(), as the next is
+    bool closed = false; ///< encloses a volume: its back faces cannot be seen from outside
+    // Both are set by summarise():
+    Bounds bounds;
     bool opposing_normals = false; ///< some triangle's normals may interpolate to 0
 };
 
@@ -33,7 +34,7 @@ double half_extent(const Mesh &mesh);
 
 Bounds bounds_of(const Mesh &mesh);
 
-/// Finds what every draw asks of a mesh, once. build_mesh and read_obj end with it.
+/// Sets what every draw needs to know of a mesh. build_mesh() and read_obj() end with it.
 void summarise(Mesh &mesh);
 
 } // namespace sandbox

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <map>
 #include <optional>
@@ -44,12 +45,12 @@ class ObjReader {
             } else if (keyword == "f") {
                 read_face();
             } else if (keyword == "mtllib") {
-                std::fprintf(stderr, "note: %s:%zu: mtllib is ignored; materials come from the scene\n", name_.c_str(),
-                             line_number_);
+                fmt::print(stderr, "note: {}:{}: mtllib is ignored; materials come from the scene\n", name_,
+                           line_number_);
             }
         }
         if (mesh_.triangles.empty()) {
-            throw InputError(name_ + ": expected at least one triangle with an area, got none");
+            throw InputError("{}: expected at least one triangle with an area, got none", name_);
         }
         finish();
         return std::move(mesh_);
@@ -65,8 +66,9 @@ class ObjReader {
     std::vector<Corner> corners_; ///< of each vertex of the mesh
     Mesh mesh_;
 
-    [[noreturn]] void refuse(const std::string &what) const {
-        throw InputError(name_ + ":" + std::to_string(line_number_) + ": " + what);
+    template <typename... Values>
+    [[noreturn]] void refuse(fmt::format_string<Values...> what, Values &&...values) const {
+        throw InputError("{}:{}: {}", name_, line_number_, fmt::format(what, std::forward<Values>(values)...));
     }
 
     /// The next line, without its comment.
@@ -106,7 +108,7 @@ class ObjReader {
             return 0;
         }
         if (!whole || error != std::errc() || !(std::abs(value) <= limit)) {
-            refuse("expected a number, got \"" + std::string(word.substr(0, 40)) + "\"");
+            refuse("expected a number, got \"{:.40}\"", word);
         }
         return value;
     }
@@ -122,7 +124,7 @@ class ObjReader {
             }
         }
         if (count < least) {
-            refuse("expected " + std::to_string(least) + " numbers, got " + std::to_string(count));
+            refuse("expected {} numbers, got {}", least, count);
         }
         return out;
     }
@@ -132,13 +134,12 @@ class ObjReader {
         long long value = 0;
         const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
         if (word.empty() || error != std::errc() || end != word.data() + word.size()) {
-            refuse("expected an index, got \"" + std::string(word.substr(0, 40)) + "\"");
+            refuse("expected an index, got \"{:.40}\"", word);
         }
         const auto size = static_cast<long long>(count);
         const long long at = value > 0 ? value - 1 : size + value;
         if (value == 0 || at < 0 || at >= size) {
-            refuse("index " + std::to_string(value) + " is out of range; there are " + std::to_string(count) + " " +
-                   kind + " so far");
+            refuse("index {} is out of range; there are {} {} so far", value, count, kind);
         }
         return static_cast<std::uint32_t>(at);
     }
@@ -149,7 +150,7 @@ class ObjReader {
         std::size_t count = 0;
         for (std::string_view rest = word;; ++count) {
             if (count == 3) {
-                refuse("expected v/vt/vn, got \"" + std::string(word.substr(0, 40)) + "\"");
+                refuse("expected v/vt/vn, got \"{:.40}\"", word);
             }
             const std::size_t slash = rest.find('/');
             parts[count] = rest.substr(0, slash);
@@ -174,7 +175,7 @@ class ObjReader {
             face.push_back(read_corner(word));
         }
         if (face.size() < 3) {
-            refuse("expected a face of at least 3 corners, got " + std::to_string(face.size()));
+            refuse("expected a face of at least 3 corners, got {}", face.size());
         }
         for (std::size_t i = 2; i < face.size(); ++i) {
             add_triangle(face[0], face[i - 1], face[i]);

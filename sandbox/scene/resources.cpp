@@ -1,10 +1,12 @@
 #include "scene/resources.h"
 
 #include "image/error.h"
+#include "image/file_io.h"
 #include "image/image_file.h"
 #include "scene/obj_reader.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <utility>
 
 namespace sandbox {
@@ -13,7 +15,7 @@ namespace {
 /// A kind of built-in files, and where they are below assets/.
 struct Kind {
     std::string_view name, folder;
-    std::string_view unlisted_folder; ///< of files that are found by name but told to nobody; empty: there are none
+    std::string_view unlisted_folder; ///< of files that are found by name but never suggested; empty: there is none
 };
 constexpr Kind model_files{"model", "models/", "stability/"}; // broken on purpose: nothing to make a scene from
 constexpr Kind texture_files{"texture", "textures/", ""};
@@ -28,12 +30,12 @@ std::string read_named(const Assets &assets, const std::string &name, const Kind
             return *std::move(bytes);
         }
     }
-    std::string known;
-    for (const std::string &path : assets.list(kind.folder)) {
-        known += (known.empty() ? "" : ", ") + path.substr(kind.folder.size());
+    std::vector<std::string> known = assets.list(kind.folder);
+    for (std::string &path : known) {
+        path.erase(0, kind.folder.size());
     }
-    throw InputError(name + ": no such " + std::string(kind.name) +
-                     "; looked for it beside the scene file and among the built-in ones (" + known + ")");
+    throw InputError("{}: no such {}; looked for it beside the scene file and among the built-in ones ({})", name,
+                     kind.name, fmt::join(known, ", "));
 }
 
 Mesh load_mesh(const Assets &assets, const Shape &shape) {
@@ -43,12 +45,12 @@ Mesh load_mesh(const Assets &assets, const Shape &shape) {
     return build_mesh(shape);
 }
 
-/// What goes wrong in `load` is said with the key that asked for it.
+/// Runs `load`; an error of it names the key that asked for it.
 template <class Load> auto at_key(std::size_t object, const char *key, const Load &load) {
     try {
         return load();
     } catch (const InputError &error) {
-        throw InputError("objects[" + std::to_string(object) + "]." + key + ": " + error.what());
+        throw InputError("objects[{}].{}: {}", object, key, error.what());
     }
 }
 

@@ -11,8 +11,8 @@
 
 namespace sandbox {
 
-/// What one object needs besides its numbers. The same shape gives the same mesh as long as anyone holds it; the same
-/// texture gives the same pointer until evicted.
+/// The mesh and the texture of one object. The same shape gives the same mesh as long as anyone holds it; the same
+/// texture gives the same image until it is evicted.
 struct ObjectResources {
     std::shared_ptr<const Mesh> mesh;
     std::shared_ptr<const Image> texture; ///< null: none
@@ -27,11 +27,11 @@ class Resources {
     std::vector<ObjectResources> load(const Scene &scene);
 
   private:
-    Assets assets_;
     [[nodiscard]] std::shared_ptr<const Mesh> kept_mesh(const Shape &shape) const;
 
+    Assets assets_;
     std::vector<std::pair<Shape, std::shared_ptr<const Mesh>>> meshes_;
-    /// Of earlier scenes, as long as someone else holds them: turns taken between scenes build nothing anew.
+    /// Meshes of earlier scenes that someone else still holds: going back and forth between scenes builds nothing anew.
     std::vector<std::pair<Shape, std::weak_ptr<const Mesh>>> earlier_meshes_;
     std::map<std::string, std::shared_ptr<const Image>> textures_;
 };

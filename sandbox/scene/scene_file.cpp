@@ -1,13 +1,14 @@
 #include "scene/scene_file.h"
 
 #include "image/error.h"
-#include "image/image_file.h"
+#include "image/file_io.h"
 #include "scene/obj_reader.h"
 #include "scene/scene_json.h"
 #include "scene/suggest.h"
 
 #include <algorithm>
 #include <array>
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
@@ -29,14 +30,13 @@ constexpr std::array<std::string_view, 13> teaching_order{"three-point-lights",
                                                           "spot-light",
                                                           "vase"};
 
-std::string scene_path(std::string_view name) { return "scenes/" + std::string(name) + ".json"; }
+std::string scene_path(std::string_view name) { return fmt::format("scenes/{}.json", name); }
 
 /// An OBJ file under two lights from the viewer's side, framed by the camera.
 Scene scene_of_model(const fs::path &path) {
     const Mesh mesh = read_obj(read_file(path), path.string());
-    const Bounds bounds = bounds_of(mesh);
-    const glm::dvec3 centre = (bounds.low + bounds.high) / 2.0;
-    const double radius = glm::length(bounds.high - bounds.low) / 2;
+    const glm::dvec3 centre = (mesh.bounds.low + mesh.bounds.high) / 2.0;
+    const double radius = glm::length(mesh.bounds.high - mesh.bounds.low) / 2;
     Scene scene;
     scene.name = path.stem().string();
     scene.camera.target = centre;
@@ -63,18 +63,10 @@ Scene scene_of_model(const fs::path &path) {
     return scene;
 }
 
-/// The scene of a scene file or, one level down, of a capture's sidecar.
-Scene read_scene_or_sidecar(const Json &json, std::string_view name, const fs::path &folder) {
-    if (json.is_object() && json.contains("scene") && json["scene"].is_object()) {
-        return read_scene(json["scene"], name, folder);
-    }
-    return read_scene(json, name, folder);
-}
-
 Scene open_scene_file(const fs::path &path) {
     std::error_code ignored;
     if (!fs::exists(path, ignored)) {
-        throw InputError(path.string() + ": no such file");
+        throw InputError("{}: no such file", path.string());
     }
     std::string extension = path.extension().string();
     std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return static_cast<char>(tolower(c)); });
@@ -82,7 +74,7 @@ Scene open_scene_file(const fs::path &path) {
         return scene_of_model(path);
     }
     if (extension != ".json") {
-        throw InputError(path.string() + ": expected a .json or .obj file");
+        throw InputError("{}: expected a .json or .obj file", path.string());
     }
     return parse_scene(read_file(path), path.string(), fs::absolute(path).parent_path());
 }
@@ -90,7 +82,9 @@ Scene open_scene_file(const fs::path &path) {
 } // namespace
 
 Scene parse_scene(std::string_view text, std::string_view name, const fs::path &folder) {
-    return read_scene_or_sidecar(parse_json(text, name), name, folder);
+    const Json json = parse_json(text, name);
+    const bool sidecar = json.is_object() && json.contains("scene") && json["scene"].is_object();
+    return read_scene(sidecar ? json["scene"] : json, name, folder);
 }
 
 std::string scene_text(const Scene &scene) { return print_json(write_scene(scene, Keys::needed)); }
@@ -105,7 +99,7 @@ Scene open_scene(std::string_view name_or_path, const Assets &assets) {
     }
     const std::vector<std::string> scenes = builtin_scenes(assets);
     const std::vector<std::string_view> known(scenes.begin(), scenes.end());
-    throw InputError(std::string(name_or_path) + ": no built-in scene of that name" + suggestion(name_or_path, known));
+    throw InputError("{}: no built-in scene of that name{}", name_or_path, suggestion(name_or_path, known));
 }
 
 std::vector<std::string> builtin_scenes(const Assets &assets) {
@@ -130,8 +124,8 @@ Scene with_view(Scene scene, std::string_view view) {
         }
         known.push_back(candidate.name);
     }
-    throw InputError("--view " + std::string(view) + ": no such view of this scene" +
-                     (known.empty() ? std::string("; it has none") : suggestion(view, known)));
+    throw InputError("--view {}: no such view of this scene{}", view,
+                     known.empty() ? "; it has none" : suggestion(view, known));
 }
 
 } // namespace sandbox

@@ -1,5 +1,6 @@
 #include "scene/shapes.h"
 
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -30,32 +31,45 @@ std::vector<double> steps(double size, int n) {
     return out;
 }
 
-void add_vertex(Mesh &mesh, glm::dvec3 position, glm::dvec3 normal, glm::dvec2 uv) {
-    mesh.positions.push_back(position);
-    mesh.normals.push_back(normal);
-    mesh.uvs.push_back(uv);
+struct Vertex {
+    glm::dvec3 position, normal;
+    glm::dvec2 uv;
+};
+
+void add_vertex(Mesh &mesh, const Vertex &vertex) {
+    mesh.positions.push_back(vertex.position);
+    mesh.normals.push_back(vertex.normal);
+    mesh.uvs.push_back(vertex.uv);
+}
+
+/// (rows + 1) x (columns + 1) vertices: vertex_at(i, j, i / rows, j / columns) of row i and column j.
+template <typename VertexAt> void add_vertices(Mesh &mesh, int rows, int columns, const VertexAt &vertex_at) {
+    for (std::size_t i = 0; i <= static_cast<std::size_t>(rows); ++i) {
+        for (std::size_t j = 0; j <= static_cast<std::size_t>(columns); ++j) {
+            add_vertex(mesh, vertex_at(i, j, static_cast<double>(i) / rows, static_cast<double>(j) / columns));
+        }
+    }
 }
 
 unsigned vertex_count(const Mesh &mesh) { return static_cast<unsigned>(mesh.positions.size()); }
 
-/// The two triangles of a grid cell with corners a = (i, j), b = (i, j + 1), c = (i + 1, j + 1), d = (i + 1, j): split
-/// from a to c, counter-clockwise in the order a, b, c, d.
-void add_quad(Mesh &mesh, unsigned a, unsigned b, unsigned c, unsigned d, bool first = true, bool second = true) {
-    if (first) {
-        mesh.triangles.emplace_back(a, b, c);
-    }
-    if (second) {
-        mesh.triangles.emplace_back(a, c, d);
-    }
-}
-
-/// Quads of a grid whose (rows + 1) x (columns + 1) vertices begin at `start`, counter-clockwise along the row first.
-void add_grid(Mesh &mesh, unsigned start, int rows, int columns) {
+/// The quads of a grid whose (rows + 1) x (columns + 1) vertices begin at `start`. Each is split from vertex (i, j) to
+/// (i + 1, j + 1) and is counter-clockwise along the row first or, if `clockwise`, along the column first. Where
+/// `poles`, the first and the last row are points, and the triangles without an area are left out.
+void add_quads(Mesh &mesh, unsigned start, int rows, int columns, bool clockwise = false, bool poles = false) {
     const auto stride = static_cast<unsigned>(columns) + 1;
     for (unsigned i = 0; i < static_cast<unsigned>(rows); ++i) {
         for (unsigned j = 0; j < static_cast<unsigned>(columns); ++j) {
             const unsigned a = start + i * stride + j;
-            add_quad(mesh, a, a + 1, a + stride + 1, a + stride);
+            const unsigned c = a + stride + 1;
+            const unsigned b = clockwise ? a + stride : a + 1;
+            const unsigned d = clockwise ? a + 1 : a + stride;
+            if (!poles || i > 0) {
+                mesh.triangles.emplace_back(a, b, c);
+            }
+            if (!poles || i + 1 < static_cast<unsigned>(rows)) {
+                mesh.triangles.emplace_back(a, c, d);
+            }
         }
     }
 }
@@ -72,33 +86,25 @@ void add_face(Mesh &mesh, const BoxShape &shape, const Face &face) {
     glm::dvec3 normal(0);
     normal[face.normal] = face.normal_sign;
     const unsigned start = vertex_count(mesh);
-    for (int i = 0; i <= n; ++i) {
-        for (int j = 0; j <= n; ++j) {
-            glm::dvec3 p = normal * (shape.size / 2.0);
-            p[face.right] = across[static_cast<std::size_t>(j)];
-            p[face.up] = down[static_cast<std::size_t>(i)];
-            add_vertex(mesh, p, normal, {j / static_cast<double>(n), 1 - i / static_cast<double>(n)});
-        }
-    }
-    const auto stride = static_cast<unsigned>(n) + 1;
-    for (unsigned i = 0; i < static_cast<unsigned>(n); ++i) {
-        for (unsigned j = 0; j < static_cast<unsigned>(n); ++j) {
-            const unsigned a = start + i * stride + j;
-            add_quad(mesh, a, a + stride, a + stride + 1, a + 1);
-        }
-    }
+    add_vertices(mesh, n, n, [&](std::size_t i, std::size_t j, double y, double x) {
+        glm::dvec3 p = normal * (shape.size / 2.0);
+        p[face.right] = across[j];
+        p[face.up] = down[i];
+        return Vertex{p, normal, {x, 1 - y}};
+    });
+    add_quads(mesh, start, n, n, true);
 }
 
 /// A disc facing up (sign 1) or down (-1) at height y, as a fan about its centre.
 void add_cap(Mesh &mesh, const CylinderShape &shape, const Arc &circle, double y, int sign) {
     const glm::dvec3 normal(0, sign, 0);
     const unsigned centre = vertex_count(mesh);
-    add_vertex(mesh, {0, y, 0}, normal, {0.5, 0.5});
+    add_vertex(mesh, {{0, y, 0}, normal, {0.5, 0.5}});
     const auto segments = static_cast<unsigned>(shape.segments);
     for (unsigned j = 0; j < segments; ++j) {
         const double c = circle.cosine[j];
         const double s = circle.sine[j];
-        add_vertex(mesh, {shape.radius * c, y, shape.radius * s}, normal, {0.5 + 0.5 * c, 0.5 - 0.5 * sign * s});
+        add_vertex(mesh, {{shape.radius * c, y, shape.radius * s}, normal, {0.5 + 0.5 * c, 0.5 - 0.5 * sign * s}});
     }
     for (unsigned j = 0; j < segments; ++j) {
         const unsigned a = centre + 1 + j;
@@ -107,33 +113,20 @@ void add_cap(Mesh &mesh, const CylinderShape &shape, const Arc &circle, double y
     }
 }
 
-} // namespace
-
-Mesh sphere_mesh(const SphereShape &shape) {
+Mesh mesh_of(const SphereShape &shape) {
     Mesh mesh;
     mesh.closed = true;
     const Arc down(shape.rings, half_circle);
     const Arc round(shape.segments, full_circle);
-    const auto rings = static_cast<unsigned>(shape.rings);
-    const auto segments = static_cast<unsigned>(shape.segments);
-    for (unsigned i = 0; i <= rings; ++i) {
-        for (unsigned j = 0; j <= segments; ++j) {
-            const glm::dvec3 n(down.sine[i] * round.cosine[j], down.cosine[i], down.sine[i] * round.sine[j]);
-            add_vertex(mesh, shape.radius * n, n,
-                       {j / static_cast<double>(segments), 1 - i / static_cast<double>(rings)});
-        }
-    }
-    for (unsigned i = 0; i < rings; ++i) {
-        for (unsigned j = 0; j < segments; ++j) {
-            const unsigned a = i * (segments + 1) + j;
-            const unsigned below = a + segments + 1;
-            add_quad(mesh, a, a + 1, below + 1, below, i > 0, i + 1 < rings);
-        }
-    }
+    add_vertices(mesh, shape.rings, shape.segments, [&](std::size_t i, std::size_t j, double y, double x) {
+        const glm::dvec3 n(down.sine[i] * round.cosine[j], down.cosine[i], down.sine[i] * round.sine[j]);
+        return Vertex{shape.radius * n, n, {x, 1 - y}};
+    });
+    add_quads(mesh, 0, shape.rings, shape.segments, false, true);
     return mesh;
 }
 
-Mesh box_mesh(const BoxShape &shape) {
+Mesh mesh_of(const BoxShape &shape) {
     Mesh mesh;
     mesh.closed = true;
     constexpr Face faces[] = {{0, 1, 2, -1, 1, 1}, {0, -1, 2, 1, 1, 1}, {1, 1, 0, 1, 2, -1},
@@ -144,28 +137,23 @@ Mesh box_mesh(const BoxShape &shape) {
     return mesh;
 }
 
-Mesh plane_mesh(const PlaneShape &shape) {
+Mesh mesh_of(const PlaneShape &shape) {
     Mesh mesh;
     const BoxShape flat{{shape.size.x, 0, shape.size.y}, shape.divisions};
     add_face(mesh, flat, {1, 1, 0, 1, 2, -1});
     return mesh;
 }
 
-Mesh cylinder_mesh(const CylinderShape &shape) {
+Mesh mesh_of(const CylinderShape &shape) {
     Mesh mesh;
     mesh.closed = shape.caps;
     const Arc round(shape.segments, full_circle);
     const std::vector<double> heights = steps(-shape.height, shape.rings);
-    const auto rings = static_cast<unsigned>(shape.rings);
-    const auto segments = static_cast<unsigned>(shape.segments);
-    for (unsigned i = 0; i <= rings; ++i) {
-        for (unsigned j = 0; j <= segments; ++j) {
-            const glm::dvec3 n(round.cosine[j], 0, round.sine[j]);
-            add_vertex(mesh, shape.radius * n + glm::dvec3(0, heights[i], 0), n,
-                       {j / static_cast<double>(segments), 1 - i / static_cast<double>(rings)});
-        }
-    }
-    add_grid(mesh, 0, shape.rings, shape.segments);
+    add_vertices(mesh, shape.rings, shape.segments, [&](std::size_t i, std::size_t j, double y, double x) {
+        const glm::dvec3 n(round.cosine[j], 0, round.sine[j]);
+        return Vertex{shape.radius * n + glm::dvec3(0, heights[i], 0), n, {x, 1 - y}};
+    });
+    add_quads(mesh, 0, shape.rings, shape.segments);
     if (shape.caps) {
         add_cap(mesh, shape, round, heights.front(), 1);
         add_cap(mesh, shape, round, heights.back(), -1);
@@ -173,23 +161,29 @@ Mesh cylinder_mesh(const CylinderShape &shape) {
     return mesh;
 }
 
-Mesh torus_mesh(const TorusShape &shape) {
+Mesh mesh_of(const TorusShape &shape) {
     Mesh mesh;
     mesh.closed = true;
     const Arc around(shape.rings, full_circle);
     const Arc tube(shape.segments, full_circle);
-    const auto rings = static_cast<unsigned>(shape.rings);
-    const auto segments = static_cast<unsigned>(shape.segments);
-    for (unsigned i = 0; i <= rings; ++i) {
+    add_vertices(mesh, shape.rings, shape.segments, [&](std::size_t i, std::size_t j, double y, double x) {
         const glm::dvec3 out(around.cosine[i], 0, around.sine[i]);
-        for (unsigned j = 0; j <= segments; ++j) {
-            const glm::dvec3 n = tube.cosine[j] * out + glm::dvec3(0, tube.sine[j], 0);
-            add_vertex(mesh, shape.radius * out + shape.tube_radius * n, n,
-                       {i / static_cast<double>(rings), j / static_cast<double>(segments)});
-        }
-    }
-    add_grid(mesh, 0, shape.rings, shape.segments);
+        const glm::dvec3 n = tube.cosine[j] * out + glm::dvec3(0, tube.sine[j], 0);
+        return Vertex{shape.radius * out + shape.tube_radius * n, n, {y, x}};
+    });
+    add_quads(mesh, 0, shape.rings, shape.segments);
     return mesh;
+}
+
+Mesh mesh_of(const ObjShape &) {
+    assert(false && "an OBJ is read by Resources");
+    return {};
+}
+
+} // namespace
+
+Mesh shape_mesh(const Shape &shape) {
+    return std::visit([](const auto &built_in) { return mesh_of(built_in); }, shape);
 }
 
 } // namespace sandbox

@@ -1,6 +1,7 @@
 #include "scene/suggest.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <numeric>
 #include <vector>
 
@@ -45,13 +46,9 @@ std::string_view nearest_word(std::string_view word, std::span<const std::string
 
 std::string suggestion(std::string_view word, std::span<const std::string_view> known) {
     if (const std::string_view nearest = nearest_word(word, known); !nearest.empty()) {
-        return "; did you mean \"" + std::string(nearest) + "\"?";
+        return fmt::format("; did you mean \"{}\"?", nearest);
     }
-    std::string list;
-    for (const std::string_view candidate : known) {
-        list += (list.empty() ? "; expected one of " : ", ") + std::string(candidate);
-    }
-    return list;
+    return known.empty() ? "" : fmt::format("; expected one of {}", fmt::join(known, ", "));
 }
 
 } // namespace sandbox

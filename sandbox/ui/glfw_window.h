@@ -24,7 +24,7 @@ struct Arrivals {
     std::vector<std::string> dropped; ///< paths
 };
 
-/// The operating system's window. Its OpenGL 3.3 context is made current by Context::of_window().
+/// The operating system's window. Its OpenGL 3.3 context is made current by make_window_context().
 class GlfwWindow {
   public:
     /// Hidden until show(). Throws MachineError, which says what to do, if there is no display or no OpenGL 3.3.

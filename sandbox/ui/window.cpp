@@ -4,7 +4,7 @@
 #include "image/image_file.h"
 #include "measure/stability/textbook.h"
 #include "render/context.h"
-#include "render/window_surface.h"
+#include "render/glfw_context.h"
 #include "scene/scene_file.h"
 #include "ui/frame.h"
 #include "ui/glfw_window.h"
@@ -79,7 +79,7 @@ class Window {
 
 Window::Window(const WindowOptions &options)
     : assets_(options.assets), polls_shaders_(!options.shaders.folder().empty()), window_(first_size),
-      context_(Context::of_window(window_.handle())), gui_(window_.handle(), window_.content_scale()),
+      context_(make_window_context(window_.handle())), gui_(window_.handle(), window_.content_scale()),
       painter_(options.assets, options.shaders), session_(first_document(options)),
       bottom_({options.assets, options.shaders, {context_->renderer(), context_->version()}}) {
     take_view(session_.view, options.file);

@@ -1,7 +1,5 @@
-#include "commands/process.h"
+#include "commands/gl_command_test.h"
 
-#include <cstdlib>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -9,18 +7,8 @@
 namespace sandbox {
 namespace {
 
-using Arguments = std::vector<std::string>;
-
-class CliGl : public testing::Test {
+class CliGl : public GlCommandTest {
   protected:
-    void SetUp() override {
-        const ProcessResult probe = run_sandbox({"time", "point-light", "--frames", "1", "--size", "8x8"});
-        const char *ci = std::getenv("CI");
-        if (probe.exit_code == 3 && !(ci != nullptr && std::string(ci) == "true")) {
-            GTEST_SKIP() << probe.err;
-        }
-        ASSERT_EQ(probe.exit_code, 0) << probe.err;
-    }
     /// capture point-light --out <folder>/name --size 64x48 ...
     [[nodiscard]] ProcessResult capture(const std::string &name, Arguments more = {}) const {
         more.insert(more.begin(), {"capture", "point-light", "--out", folder.file(name), "--size", "64x48"});
@@ -29,7 +17,6 @@ class CliGl : public testing::Test {
     [[nodiscard]] bool same_bytes(const std::string &a, const std::string &b) const {
         return !folder.read(a).empty() && folder.read(a) == folder.read(b);
     }
-    TestFolder folder;
 };
 
 TEST_F(CliGl, CaptureWritesAPictureAndItsSidecar) {

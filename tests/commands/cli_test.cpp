@@ -7,8 +7,6 @@
 namespace sandbox {
 namespace {
 
-using Arguments = std::vector<std::string>;
-
 /// Expects exit code 2, nothing on standard output, and `said` in the message.
 void expect_refused(const Arguments &arguments, const std::string &said) {
     const ProcessResult result = run_sandbox(arguments);
@@ -39,6 +37,14 @@ TEST(Cli, BadUsage) {
     expect_refused({"glsl", "point-light", "--technique", "flat/phong", "--stage", "geometry"}, "geometry");
     expect_refused({"list", "--shaders", "/nowhere"}, "--shaders");
     expect_refused({"no-such-scene"}, "no-such-scene");
+}
+
+TEST(Cli, AMistypedCommandGetsASuggestion) {
+    expect_refused({"cature"}, "'cature' is neither a command nor a built-in scene; did you mean \"capture\"?");
+    expect_refused({"cature", "point-light", "--out", "a.png"}, "did you mean \"capture\"?");
+    expect_refused({"stablity", "--out", "a"}, "did you mean \"stability\"?");
+    expect_refused({"poin-light"}, "did you mean \"point-light\"?");
+    expect_refused({"poin-light.json"}, "poin-light.json: no such file");
 }
 
 TEST(Cli, SizesAreRefusedBeforeAnythingIsDrawn) {
@@ -95,7 +101,7 @@ TEST(Cli, TheOtherCommandsCheckTheirWordsFirst) {
 }
 
 TEST(Cli, ASidecarIsCheckedLikeFlags) {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     for (const std::string wrong :
          {R"("size": [0, 5])", R"("size": [99999, 99999])", R"("exposure": -1)", R"("gain": 0)"}) {
         folder.write("a.png.json", R"({"scene": {"objects": []}, "techniques": ["flat/phong"], )" + wrong + "}");
@@ -119,7 +125,7 @@ TEST(Cli, ListAsJson) {
 }
 
 TEST(Cli, GlslPrintsOneProgram) {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     folder.write("two.json", R"({"lights": [{"type": "point", "position": [1, 2, 3]}], "objects": [
         {"name": "ball", "mesh": {"shape": "sphere"}},
         {"name": "matt", "mesh": {"shape": "sphere"}, "material": {"specular": [0, 0, 0]}},
@@ -144,7 +150,7 @@ TEST(Cli, GlslPrintsOneProgram) {
 }
 
 TEST(Cli, ReferenceWritesAPfm) {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     const ProcessResult result =
         run_sandbox({"reference", "point-light", "--out", folder.file("a.pfm"), "--size", "7x5"});
     EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -167,7 +173,7 @@ TEST(Cli, OutputThatCannotBeWrittenIsAnError) {
 }
 
 TEST(Cli, AnInterruptLeavesNoHalfWrittenFile) {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     // Long enough to be interrupted on any machine; `timeout` sends the signal and passes the exit code on.
     for (const char *signal : {"INT", "TERM"}) {
         const ProcessResult result =

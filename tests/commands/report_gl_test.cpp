@@ -1,25 +1,13 @@
-#include "commands/process.h"
+#include "commands/gl_command_test.h"
 
-#include <cstdlib>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 /// The report of the built program.
 namespace sandbox {
 namespace {
 
-using Arguments = std::vector<std::string>;
-
-class ReportGl : public testing::Test {
+class ReportGl : public GlCommandTest {
   protected:
-    void SetUp() override {
-        const ProcessResult probe = run_sandbox({"time", "point-light", "--frames", "1", "--size", "8x8"});
-        const char *ci = std::getenv("CI");
-        if (probe.exit_code == 3 && !(ci != nullptr && std::string(ci) == "true")) {
-            GTEST_SKIP() << probe.err;
-        }
-        ASSERT_EQ(probe.exit_code, 0) << probe.err;
-    }
     [[nodiscard]] ProcessResult report(const std::string &name, Arguments more = {}) const {
         more.insert(more.begin(), {"report", "box-5-specular", "--out", folder.file(name), "--quick", "--size", "48x36",
                                    "--repeats", "1"});
@@ -28,7 +16,6 @@ class ReportGl : public testing::Test {
     [[nodiscard]] nlohmann::json json_of(const std::string &name) const {
         return nlohmann::json::parse(folder.read(name + "/report.json"));
     }
-    TestFolder folder;
 };
 
 TEST_F(ReportGl, WritesThreeFilesWithTheSameErrorsEveryTime) {

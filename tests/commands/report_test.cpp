@@ -5,10 +5,8 @@
 namespace sandbox {
 namespace {
 
-using Arguments = std::vector<std::string>;
-
 TEST(Report, WordsAreCheckedBeforeAnythingIsMeasured) {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     const std::string out = folder.file("out");
     folder.write("other.json", "{}");
     const auto refused = [](const Arguments &arguments, const std::string &said) {

@@ -1,27 +1,16 @@
-#include "commands/process.h"
+#include "commands/gl_command_test.h"
 
-#include <cstdlib>
-#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 /// `stability` of the built program.
 namespace sandbox {
 namespace {
 
-class StabilityGl : public testing::Test {
+class StabilityGl : public GlCommandTest {
   protected:
-    void SetUp() override {
-        const ProcessResult probe = run_sandbox({"time", "point-light", "--frames", "1", "--size", "8x8"});
-        const char *ci = std::getenv("CI");
-        if (probe.exit_code == 3 && !(ci != nullptr && std::string(ci) == "true")) {
-            GTEST_SKIP() << probe.err;
-        }
-        ASSERT_EQ(probe.exit_code, 0) << probe.err;
-    }
     [[nodiscard]] ProcessResult stability(const std::string &chosen) const {
         return run_sandbox({"stability", "--out", folder.file("out"), "--json", "--case", chosen});
     }
-    TestFolder folder;
 };
 
 TEST_F(StabilityGl, RunsABuiltInCaseByItsName) {

@@ -7,7 +7,7 @@ namespace sandbox {
 namespace {
 
 TEST(StabilityCommand, CasesAreCheckedBeforeAnythingIsDrawn) {
-    const TestFolder folder;
+    const TemporaryFolder folder;
     folder.write("broken.json", "{");
     folder.write("short.json", R"({"group": "mine"})");
     const auto refused = [&](const std::vector<std::string> &flags, const std::string &said) {

@@ -1,7 +1,7 @@
 #include "image/image_file.h"
 #include "tools/error_of.h"
+#include "tools/temporary_folder.h"
 
-#include <cstdlib>
 #include <gtest/gtest.h>
 
 namespace sandbox {
@@ -14,16 +14,6 @@ std::string data_file(const std::string &name) { return read_file(fs::path(TEST_
 std::string decoding_error(const std::string &bytes) {
     return error_of([&] { decode_image(bytes, "a.png"); });
 }
-
-/// A folder of this test alone, removed at its end.
-struct Folder {
-    fs::path path = fs::temp_directory_path() / ("sandbox-image-file-test-" + std::to_string(std::rand()));
-    Folder() { fs::create_directories(path); }
-    ~Folder() { fs::remove_all(path); }
-    [[nodiscard]] std::size_t files() const {
-        return static_cast<std::size_t>(std::distance(fs::directory_iterator(path), fs::directory_iterator()));
-    }
-};
 
 TEST(Png, ReadsBackWhatWasWritten) {
     const Image back = decode_image(encode_png(small_picture()), "a.png");
@@ -109,31 +99,31 @@ TEST(DecodeImage, RefusesOtherFiles) {
 }
 
 TEST(WriteFile, ReplacesTheWholeFileAndLeavesNoOther) {
-    const Folder folder;
-    write_file(folder.path / "a.txt", "the first, longer text");
-    write_file(folder.path / "a.txt", std::string("b\0c", 3));
-    EXPECT_EQ(read_file(folder.path / "a.txt"), std::string("b\0c", 3));
-    EXPECT_EQ(folder.files(), 1U);
+    const TemporaryFolder folder;
+    write_file(folder.path() / "a.txt", "the first, longer text");
+    write_file(folder.path() / "a.txt", std::string("b\0c", 3));
+    EXPECT_EQ(read_file(folder.path() / "a.txt"), std::string("b\0c", 3));
+    EXPECT_EQ(folder.names().size(), 1U);
 }
 
 TEST(WriteFile, NamesTheFileThatItCannotWrite) {
-    const Folder folder;
-    const fs::path path = folder.path / "missing" / "a.txt";
+    const TemporaryFolder folder;
+    const fs::path path = folder.path() / "missing" / "a.txt";
     EXPECT_EQ(error_of([&] { write_file(path, "x"); }),
               path.string() + ": cannot write the file (No such file or directory)");
-    EXPECT_NE(error_of([&] { write_file(folder.path, "x"); }), "no error"); // a folder
-    EXPECT_EQ(folder.files(), 0U);
+    EXPECT_NE(error_of([&] { write_file(folder.path(), "x"); }), "no error"); // a folder
+    EXPECT_EQ(folder.names().size(), 0U);
 }
 
 TEST(WriteFile, WritesDevicesInPlaceAndThroughLinks) {
     write_file("/dev/null", "x");
     EXPECT_FALSE(fs::is_regular_file("/dev/null"));
-    const Folder folder;
-    write_file(folder.path / "a.txt", "x");
-    fs::create_symlink(folder.path / "a.txt", folder.path / "link.txt");
-    write_file(folder.path / "link.txt", "y");
-    EXPECT_EQ(read_file(folder.path / "a.txt"), "y");
-    EXPECT_TRUE(fs::is_symlink(folder.path / "link.txt"));
+    const TemporaryFolder folder;
+    write_file(folder.path() / "a.txt", "x");
+    fs::create_symlink(folder.path() / "a.txt", folder.path() / "link.txt");
+    write_file(folder.path() / "link.txt", "y");
+    EXPECT_EQ(read_file(folder.path() / "a.txt"), "y");
+    EXPECT_TRUE(fs::is_symlink(folder.path() / "link.txt"));
 }
 
 TEST(ReadFile, NamesTheFileThatItCannotRead) {

@@ -36,8 +36,8 @@ Difference difference(const Image &a, const Image &b) {
     return result;
 }
 
-/// The bound is measurement.md's: both programs run the same operations in the same order on the same varyings, so what
-/// is left is rounding of values that one of them folds into constants. Textbook power above n = 1024 is excepted.
+/// Both programs run the same operations in the same order on the same varyings, so they differ by the rounding of
+/// values that one of them folds into constants. Textbook power above n = 1024 is excepted.
 TEST_F(Metamorphic, SpecialisedAndFullProgramGiveTheSamePicture) {
     constexpr Size size{160, 120};
     int compared = 0;

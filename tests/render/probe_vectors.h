@@ -8,7 +8,7 @@
 
 namespace sandbox {
 
-/// Textbook: the cosine's rounding, raised (measurement.md).
+/// Textbook: the cosine's rounding, raised to the power n.
 inline double textbook_bound(double n) { return 2e-5 + 4e-7 * n; }
 /// Stable: f^n changes with the angle by sqrt(n / e) at most, and R, N x H carry an angle of 4 units in the last place.
 inline double stable_bound(double n) { return 2e-6 + std::sqrt(n / std::exp(1.0)) * 4 * 0x1p-24; }

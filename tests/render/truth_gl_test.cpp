@@ -87,7 +87,7 @@ double picture_bound(const Scene &scene, const std::string &technique) {
     return 2e-5 + 4e-7 * n;
 }
 
-/// measurement.md's bound: 2e-5 of linear colour, and what rounding makes of a textbook power; 2e-5 where it is stable.
+/// The bound is 2e-5 of linear colour where the power is stable; rounding adds to that where it is a textbook's.
 TEST_F(Truth, PerPixelPicturesOfEveryScene) {
     for (const std::string &name : builtin_scenes(Assets("assets"))) {
         const Scene scene = open_scene(name, Assets("assets"));

@@ -4,6 +4,7 @@
 #include "render/context.h"
 
 #include <cstdlib>
+#include <glad/gl.h>
 #include <gtest/gtest.h>
 #include <memory>
 #include <string>
@@ -23,6 +24,12 @@ class GlTest : public testing::Test {
             FAIL() << shared().why_not;
         }
         GTEST_SKIP() << shared().why_not;
+    }
+    /// No test may leave an OpenGL error behind, whatever it looked at.
+    void TearDown() override {
+        if (shared().context) {
+            EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+        }
     }
     static const Context &context() { return *shared().context; }
 

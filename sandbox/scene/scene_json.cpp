@@ -2,6 +2,8 @@
 
 #include "image/error.h"
 
+#include <cmath>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <vector>
@@ -24,7 +26,7 @@ std::string line_and_column(std::string_view text, std::size_t byte) {
             ++column;
         }
     }
-    return std::to_string(line) + ":" + std::to_string(column);
+    return fmt::format("{}:{}", line, column);
 }
 
 /// The library's message without its own numbering: from "...: syntax error ..." on.
@@ -38,7 +40,7 @@ std::string plain_message(const std::string &what) {
     return what.substr(what.find("] ") + 2);
 }
 
-/// Follows the parser through the text, to know the path of what is read and to refuse keys given twice.
+/// Follows the parser through the text: knows the path of what is read, and refuses a key that is given twice.
 class Tracker {
   public:
     explicit Tracker(std::string_view name) : name_(name) {}
@@ -51,7 +53,7 @@ class Tracker {
             count_element();
             levels_.push_back({event == Event::array_start, 0, {}, {}});
             if (levels_.size() > deepest) {
-                throw InputError(name_ + ": nested deeper than " + std::to_string(deepest) + " levels");
+                throw InputError("{}: nested deeper than {} levels", name_, deepest);
             }
             break;
         case Event::object_end:
@@ -61,7 +63,7 @@ class Tracker {
         case Event::key:
             levels_.back().key = parsed.get_ref<const std::string &>();
             if (!levels_.back().keys.insert(levels_.back().key).second) {
-                throw InputError(name_ + ": " + path() + ": this key is given twice");
+                throw InputError("{}: {}: this key is given twice", name_, path());
             }
             break;
         case Event::value:
@@ -73,7 +75,7 @@ class Tracker {
     [[nodiscard]] std::string path() const {
         std::string out;
         for (const Level &level : levels_) {
-            out += level.array ? "[" + std::to_string(level.count - (level.count > 0 ? 1 : 0)) + "]"
+            out += level.array ? fmt::format("[{}]", level.count - (level.count > 0 ? 1 : 0))
                                : (out.empty() ? "" : ".") + level.key;
         }
         return out;
@@ -97,12 +99,55 @@ class Tracker {
     std::vector<Level> levels_;
 };
 
+constexpr std::size_t line_length = 100;
+
+/// The shortest text that reads back as the same value; invalid UTF-8 (a file name, say) must not stop a save.
+std::string scalar(const OrderedJson &json) {
+    if (json.is_number_float()) {
+        const double value = json.get<double>();
+        if (std::abs(value) < 1e15 && value == std::trunc(value) && !(value == 0 && std::signbit(value))) {
+            return fmt::format("{}", static_cast<long long>(value));
+        }
+    }
+    return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
+}
+
+std::string one_line(const OrderedJson &json) {
+    if (!json.is_structured()) {
+        return scalar(json);
+    }
+    std::string out;
+    for (const auto &[key, value] : json.items()) {
+        out += out.empty() ? "" : ", ";
+        out += json.is_object() ? scalar(key) + ": " + one_line(value) : one_line(value);
+    }
+    return json.is_object() ? "{" + out + "}" : "[" + out + "]";
+}
+
+void print(const OrderedJson &json, std::size_t indent, std::size_t column, std::string &out) {
+    const std::string compact = one_line(json);
+    if (!json.is_structured() || json.empty() || (indent > 0 && column + compact.size() < line_length)) {
+        out += compact;
+        return;
+    }
+    out += json.is_object() ? "{" : "[";
+    const std::string margin(indent + 2, ' ');
+    bool first = true;
+    for (const auto &[key, value] : json.items()) {
+        out += (first ? "\n" : ",\n") + margin;
+        first = false;
+        const std::string label = json.is_object() ? scalar(key) + ": " : "";
+        out += label;
+        print(value, indent + 2, margin.size() + label.size(), out);
+    }
+    out += "\n" + std::string(indent, ' ') + (json.is_object() ? "}" : "]");
+}
+
 } // namespace
 
 Json parse_json(std::string_view text, std::string_view name) {
-    const std::string file(name);
     if (text.size() > largest_text) {
-        throw InputError(file + ": the file is larger than 16 MiB");
+        throw InputError("{}: the file is larger than 16 MiB", name);
     }
     Tracker tracker(name);
     const auto follow = [&](int, Json::parse_event_t event, const Json &parsed) {
@@ -114,12 +159,18 @@ Json parse_json(std::string_view text, std::string_view name) {
     } catch (const Json::parse_error &error) {
         const std::string message = plain_message(error.what());
         const bool no_literal = message.find("invalid literal") != std::string::npos;
-        throw InputError(file + ":" + line_and_column(text, error.byte) + ": " + message +
-                         (no_literal ? "; expected a finite number, a string, true or false (JSON has no NaN)" : ""));
+        throw InputError("{}:{}: {}{}", name, line_and_column(text, error.byte), message,
+                         no_literal ? "; expected a finite number, a string, true or false (JSON has no NaN)" : "");
     } catch (const Json::exception &error) { // a number such as 1e999
         tracker.count_element();
-        throw InputError(file + ": " + tracker.path() + ": expected a finite number: " + plain_message(error.what()));
+        throw InputError("{}: {}: expected a finite number: {}", name, tracker.path(), plain_message(error.what()));
     }
+}
+
+std::string print_json(const OrderedJson &json) {
+    std::string out;
+    print(json, 0, 0, out);
+    return out + "\n";
 }
 
 } // namespace sandbox

@@ -1,0 +1,85 @@
+#include "commands/commands.h"
+
+#include "shading/technique.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace sandbox {
+
+/// Adds one subcommand: its options, its help and, when it is chosen, what to run. Each is defined in the file of the
+/// command's name.
+using AddCommand = void(CLI::App &app, CommonOptions &common, Run &run);
+AddCommand add_list, add_capture, add_reference, add_compare, add_time, add_report, add_stability, add_glsl, add_view;
+
+void add_commands(CLI::App &app, CommonOptions &common, Run &run) {
+    for (AddCommand *add :
+         {add_list, add_capture, add_reference, add_compare, add_time, add_report, add_stability, add_glsl, add_view}) {
+        add(app, common, run);
+    }
+}
+
+std::string help_footer() {
+    std::string text = "Technique T: FREQUENCY/MODEL[:key=value[,key=value]], e.g. per-vertex/phong or\n"
+                       "per-pixel/blinn-phong:power=textbook. The first value of a key is its default; a key that can\n"
+                       "have no effect under the frequency or model is refused.\n";
+    for (const TechniqueKey &key : technique_keys()) {
+        text += fmt::format("  {}: {}\n", key.name, key.doc);
+        for (const TechniqueValue &value : key.values) {
+            text += fmt::format("    {:<21} {}\n", value.name, value.look_for);
+        }
+    }
+    return text +
+           "\nSCENE is the name of a built-in scene (see: shading-sandbox list), or the path of a scene (.json),\n"
+           "of a picture's sidecar (.png.json) or of a mesh (.obj).\n"
+           "Each command has its own --help.\n"
+           "Exit codes: 0 success; 1 a check failed; 2 bad usage or bad input; 3 the machine lacks something,\n"
+           "such as OpenGL 3.3; 130 interrupted.";
+}
+
+void add_scene(CLI::App &command, std::string &scene, const std::string &description) {
+    add_value(command, "SCENE", "", scene, description)->required();
+}
+
+void add_view_name(CLI::App &command, std::string &view) {
+    add_value(command, "--view", "NAME", view, "Use the camera of this named view of the scene");
+}
+
+CLI::Option *add_choice(CLI::App &command, const std::string &option, const std::vector<std::string> &words,
+                        std::string &value, const std::string &description) {
+    const auto parse = [words](const std::string &text) {
+        if (std::ranges::find(words, text) == words.end()) {
+            throw InputError("expected {}, got '{}'", fmt::join(words, " or "), text);
+        }
+        return text;
+    };
+    return add_parsed(command, option, fmt::format("{}", fmt::join(words, "|")), value, parse, description);
+}
+
+void add_common_options(CLI::App &command, CommonOptions &common) {
+    const auto add_settings = [&common](const std::vector<std::string> &settings) {
+        common.settings.insert(common.settings.end(), settings.begin(), settings.end());
+    };
+    const auto parse_folder = [](const std::string &path) {
+        if (!std::filesystem::is_directory(path)) {
+            throw InputError("there is no folder '{}'", path);
+        }
+        return std::filesystem::path(path);
+    };
+    command.option_defaults()->group("Common options");
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--set", add_settings, "Change the scene before use, e.g. --set lights[0].diffuse=0.5; repeatable")
+        ->type_name("PATH=VALUE")
+        ->allow_extra_args(false);
+    add_parsed(command, "--shaders", "DIR", common.shaders, parse_folder, "Read the shader parts from this folder");
+    add_parsed(command, "--assets", "DIR", common.assets, parse_folder,
+               "Read scenes, lessons, textures and models from this folder");
+    add_choice(command, "--backend", {"egl", "glfw"}, common.backend, "How to reach OpenGL without a window [egl]");
+    command.add_flag("-v", common.verbose, "Report the renderer, programs built and times on standard error");
+    const std::string footer = command.get_footer();
+    command.footer(footer + (footer.empty() ? "" : "\n") +
+                   "shading-sandbox --help explains SCENE, techniques and exit codes.");
+}
+
+} // namespace sandbox

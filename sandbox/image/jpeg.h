@@ -1,0 +1,14 @@
+#pragma once
+
+#include "image/image.h"
+
+#include <string_view>
+
+namespace sandbox {
+
+constexpr std::string_view jpeg_signature = "\xff\xd8\xff";
+
+/// Throws InputError for a damaged file, and for more than max_image_side pixels a side. `name` is used in messages.
+Image decode_jpeg(std::string_view bytes, std::string_view name);
+
+} // namespace sandbox

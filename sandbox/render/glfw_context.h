@@ -1,0 +1,22 @@
+#pragma once
+
+#include "render/context.h"
+
+#include <string>
+
+struct GLFWwindow;
+
+namespace sandbox {
+
+/// OpenGL in a hidden window, for `--backend glfw`. Throws MachineError.
+std::unique_ptr<Context> make_hidden_window_context();
+/// OpenGL in a window that somebody else owns; its context becomes current. Throws MachineError.
+std::unique_ptr<Context> make_window_context(GLFWwindow *window);
+
+/// Makes the window's context current on this thread. Throws MachineError if the driver refuses.
+void make_current(GLFWwindow *window);
+
+/// What GLFW says of the last thing that went wrong; "no reason given" if it says nothing.
+std::string glfw_error();
+
+} // namespace sandbox
