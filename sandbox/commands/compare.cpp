@@ -32,7 +32,7 @@ bool is_reference(std::string_view text) {
 /// frequency and model count as keys, too.
 Technique reference_technique(Technique left, std::string_view text) {
     std::string frequency = "per-pixel";
-    std::string model = to_string(Technique{.model = left.model}).substr(frequency.size() + 1);
+    std::string model(model_values[static_cast<std::size_t>(left.model)].name);
     std::string others;
     text.remove_prefix(std::min(text.size(), reference_word.size() + 1));
     std::istringstream settings{std::string(text)};

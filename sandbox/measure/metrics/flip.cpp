@@ -46,7 +46,7 @@ void for_rows(int height, const std::function<void(int)> &work) {
     });
 }
 
-/// Beyond the border the outermost pixel goes on.
+/// Pixels beyond the border repeat the outermost one.
 Plane along_rows(const Plane &in, const Kernel &kernel) {
     const int radius = static_cast<int>(kernel.size() / 2);
     Plane out(in.width, in.height);
@@ -128,7 +128,7 @@ std::vector<glm::vec3> seen_colors(const Opponent &picture, const flip::Contrast
     return out;
 }
 
-/// How strong an edge and a point each pixel is.
+/// How much of an edge and of a point each pixel is.
 struct Features {
     std::vector<float> edges, points;
 };
@@ -164,9 +164,9 @@ float redistributed(float difference) {
     return knee_height + (value - bend) / (largest - bend) * (1 - knee_height);
 }
 
-float feature_difference(const Features &one, const Features &other, std::size_t i) {
-    const float edges = std::abs(one.edges[i] - other.edges[i]);
-    const float points = std::abs(one.points[i] - other.points[i]);
+float feature_difference(const Features &a, const Features &b, std::size_t i) {
+    const float edges = std::abs(a.edges[i] - b.edges[i]);
+    const float points = std::abs(a.points[i] - b.points[i]);
     return std::pow(std::max(edges, points) / std::sqrt(2.0F), feature_exponent);
 }
 

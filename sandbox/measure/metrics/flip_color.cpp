@@ -24,7 +24,7 @@ glm::dmat3 relative_to_white() {
     return m;
 }
 
-/// XYZ as shares of the white's, and back.
+/// From linear sRGB to XYZ relative to white, and back.
 const glm::mat3 shares_of_linear(relative_to_white());
 const glm::mat3 linear_of_shares(glm::inverse(relative_to_white()));
 
@@ -69,8 +69,8 @@ glm::vec3 hunt_lab_of(const glm::vec3 &linear) {
     return {lightness, hunt * 500 * (x - y), hunt * 200 * (y - z)};
 }
 
-float hyab(const glm::vec3 &one, const glm::vec3 &other) {
-    const glm::vec3 d = one - other;
+float hyab(const glm::vec3 &a, const glm::vec3 &b) {
+    const glm::vec3 d = a - b;
     return std::abs(d.x) + std::sqrt(d.y * d.y + d.z * d.z);
 }
 

@@ -17,6 +17,6 @@ glm::vec3 linear_of_opponent(const glm::vec3 &opponent);
 glm::vec3 hunt_lab_of(const glm::vec3 &linear);
 
 /// |dL| + sqrt(da^2 + db^2): large colour differences as people judge them.
-float hyab(const glm::vec3 &one, const glm::vec3 &other);
+float hyab(const glm::vec3 &a, const glm::vec3 &b);
 
 } // namespace sandbox::flip

@@ -18,7 +18,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 bool finite(const glm::dvec3 &c) { return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z); }
 
-/// Either kind of picture, read alike.
+/// Reads a drawn picture and a truth alike.
 class Reading {
   public:
     explicit Reading(const Frame &frame) : frame_(&frame), size_(frame.color.size), ids_(&frame.object_ids) {}
@@ -55,7 +55,7 @@ void require_alike(const Reading &left, const Reading &right) {
     }
 }
 
-/// Gathers differences; a channel each.
+/// Differences of linear colour, a channel each.
 class Differences {
   public:
     explicit Differences(std::size_t pixels) { values_.reserve(3 * pixels); }
@@ -65,7 +65,7 @@ class Differences {
         }
     }
 
-    /// Consumes the order of what was gathered.
+    /// Loses the order of the values.
     [[nodiscard]] Norms norms() {
         Norms norms;
         if (values_.empty()) {
@@ -93,7 +93,7 @@ class Differences {
 
 constexpr Norms not_finite{infinite, infinite, infinite, infinite};
 
-/// Which pixels are compared, and the counts of the rest.
+/// Finds the pixels to compare; counts the others.
 std::vector<std::size_t> compared_pixels(const Reading &left, const Reading &right, Metrics &metrics) {
     std::vector<std::size_t> compared;
     compared.reserve(left.pixels());

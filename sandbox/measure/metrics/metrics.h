@@ -44,7 +44,7 @@ struct Metrics {
     double flip = 0;            ///< mean LDR FLIP of the whole pictures in 8 bits, linear display
 };
 
-/// Beside the norms.
+/// The metrics that are no norms.
 inline constexpr Quantity<Metrics> metric_quantities[]{
     {"psnr", "", "dB", "peak signal-to-noise ratio, peak 1; none where nothing differs", &Metrics::psnr},
     {"flip", "", "0 to 1", "mean FLIP of the whole pictures in 8 bits", &Metrics::flip, true},
@@ -102,7 +102,7 @@ inline constexpr ErrorPart error_parts[]{
     {"quantisation", "quanti&shy;sation", "8-bit quantisation", &ErrorSplit::quantisation},
 };
 
-/// `geometry`, if given, is what an earlier call with the same last two pictures found, and is not found again.
+/// `geometry`: what an earlier call found for the same last two pictures; empty: it is computed.
 ErrorSplit split_error(const Frame &drawn, const ReferenceFrame &technique, const ReferenceFrame &per_pixel,
                        const ReferenceFrame *analytic, const std::optional<Norms> &geometry = {});
 

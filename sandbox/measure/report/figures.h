@@ -9,7 +9,7 @@ namespace sandbox::html {
 
 std::string pictures(const ReportRun &run);
 std::string error_against_time(const ReportRun &run);
-/// A plot a model of the error against the rungs of the ladder.
+/// One plot per model: the error over the rungs of the ladder.
 std::string ladder_plots(const ReportRun &run);
 std::string error_split(const ReportRun &run);
 

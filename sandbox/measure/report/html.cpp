@@ -10,24 +10,12 @@
 namespace sandbox::html {
 
 std::string escaped(std::string_view text) {
+    constexpr std::pair<char, std::string_view> entities[]{
+        {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
     std::string out;
     for (const char c : text) {
-        switch (c) {
-        case '&':
-            out += "&amp;";
-            break;
-        case '<':
-            out += "&lt;";
-            break;
-        case '>':
-            out += "&gt;";
-            break;
-        case '"':
-            out += "&quot;";
-            break;
-        default:
-            out += c;
-        }
+        const auto *entity = std::ranges::find(entities, c, &std::pair<char, std::string_view>::first);
+        out += entity == std::end(entities) ? std::string(1, c) : std::string(entity->second);
     }
     return out;
 }

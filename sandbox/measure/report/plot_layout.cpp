@@ -1,6 +1,7 @@
 #include "measure/report/plot_layout.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <limits>
@@ -8,7 +9,7 @@
 namespace sandbox {
 namespace {
 
-/// A span of numbers on its way to a span of positions.
+/// Maps a span of numbers to a span of positions.
 class Axis {
   public:
     Axis(Scale scale, double first, double last) : scale_(scale), first_(first), last_(last) {}
@@ -22,7 +23,7 @@ class Axis {
             high_ = std::max(high_, inner(value));
         }
     }
-    /// Room around the outermost values, and a span even for a single one.
+    /// Adds room around the outermost values; a single value gets a span, too.
     void pad(double share) {
         if (low_ > high_) {
             low_ = 0;
@@ -56,13 +57,13 @@ class Axis {
     [[nodiscard]] double inner(double value) const { return scale_ == Scale::logarithmic ? std::log10(value) : value; }
     static std::string label(double value) {
         if (value == 0) {
-            return "0"; // it has no power of ten; nor is it to read -0
+            return "0"; // 0 has no power of ten, and must not read -0
         }
         const int power = static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-9));
         return power < -3 ? fmt::format("{:g}e{}", std::round(value / std::pow(10.0, power)), power)
                           : fmt::format("{:g}", value);
     }
-    /// 1, 10, 100; over short spans 2 and 5 have labels too, over very short ones all.
+    /// Labels 1, 10, 100; over short spans also 2 and 5, over very short ones every digit.
     [[nodiscard]] std::vector<PlotTick> decade_ticks() const {
         const double span = high_ - low_;
         std::vector<PlotTick> out;
@@ -99,9 +100,9 @@ class Axis {
 std::vector<PlotPoint> staircase(const std::vector<PlotSeries> &series, const std::vector<std::size_t> &tags) {
     std::vector<PlotPoint> corners;
     for (const std::size_t tag : tags) {
-        for (const PlotSeries &one : series) {
-            const auto point = std::ranges::find(one.points, tag, &PlotPoint::tag);
-            if (point == one.points.end()) {
+        for (const PlotSeries &drawn : series) {
+            const auto point = std::ranges::find(drawn.points, tag, &PlotPoint::tag);
+            if (point == drawn.points.end()) {
                 continue;
             }
             if (!corners.empty()) {
@@ -166,6 +167,16 @@ std::optional<std::size_t> nearest_point(const PlotLayout &layout, double x, dou
         }
     }
     return best;
+}
+
+std::span<const std::pair<double, double>> marker_corners(int style) {
+    using Corners = std::vector<std::pair<double, double>>;
+    static const std::array<Corners, 5> markers{Corners{},
+                                                {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}},
+                                                {{0, -1.4}, {1.4, 0}, {0, 1.4}, {-1.4, 0}},
+                                                {{0, -1.3}, {1.25, 1}, {-1.25, 1}},
+                                                {{0, 1.3}, {-1.25, -1}, {1.25, -1}}};
+    return markers[static_cast<std::size_t>(style) % markers.size()];
 }
 
 std::vector<BarPiece> lay_out_shares(const std::vector<Bar> &bars, double left, double top, double width, double step,

@@ -2,11 +2,13 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
-/// Where the parts of a plot go: numbers become positions, y downwards, in whatever unit `width` is in. Draws nothing,
-/// so that a page and a window show the same plot.
+/// Lays out plots: numbers become positions, y downwards, in the unit of `width`. Draws nothing, so that a page and a
+/// window show the same plot.
 namespace sandbox {
 
 enum class Scale { linear, logarithmic };
@@ -14,11 +16,11 @@ enum class Scale { linear, logarithmic };
 struct PlotPoint {
     double x = 0, y = 0;
     double x_low = 0, x_high = 0; ///< the spread of x; equal: none
-    std::size_t tag = 0;          ///< the caller's: which row it is
+    std::size_t tag = 0;          ///< set by the caller: its row
 };
 struct PlotSeries {
     std::string name;
-    int style = 0; ///< the caller's: colour and marker
+    int style = 0; ///< set by the caller: colour and marker
     std::vector<PlotPoint> points;
 };
 struct PlotGuide {
@@ -54,6 +56,10 @@ PlotLayout lay_out(const PlotRequest &request);
 
 /// The tag of the point nearest to (x, y), if one lies within `reach`.
 std::optional<std::size_t> nearest_point(const PlotLayout &layout, double x, double y, double reach);
+
+/// The corners (x, y) of a series' marker of radius 1, clockwise; empty: a circle. Series differ by form as well as by
+/// colour.
+std::span<const std::pair<double, double>> marker_corners(int style);
 
 /// Horizontal bars, each divided by the shares of its parts.
 struct Bar {

@@ -80,7 +80,7 @@ std::string times_table(const std::vector<ReportRun> &runs) {
     return table.html();
 }
 
-/// One line a run: its front.
+/// One line per run: its front.
 std::string fronts_plot(const std::vector<ReportRun> &runs, Model model) {
     PlotRequest plot;
     plot.title = fmt::format("{}: the fronts of all runs", name_of(model));

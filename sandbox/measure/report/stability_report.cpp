@@ -1,6 +1,6 @@
 #include "measure/report/stability_report.h"
 
-#include "measure/report/csv_table.h"
+#include "measure/report/csv.h"
 #include "measure/report/html.h"
 #include "measure/report/text.h"
 

@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-/// What a run of stability cases leaves behind: stability.html, stability.json, stability.csv, a table for the
-/// terminal.
+/// The results of stability cases as stability.html, stability.json, stability.csv and as a table for the terminal.
 namespace sandbox {
 
 struct StabilityRun {
@@ -22,7 +21,7 @@ std::string stability_table(const StabilityRun &run);
 std::string bound_words(const StabilityCase &judged);
 /// "1.04 times the textbook's run time"; nothing if it was not timed.
 std::string cost_words(const StabilityResult &result);
-/// The largest error, or how many pixels are not finite: "1.2e-06", "3 pixels not finite".
+/// The largest error, or how many pixels are not finite: "1.2e-06", "3 not finite".
 std::string error_words(const StabilityRow &row);
 
 } // namespace sandbox

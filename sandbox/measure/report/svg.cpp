@@ -15,29 +15,17 @@ std::string words(double x, double y, std::string_view style, std::string_view t
     return fmt::format(R"(<text x="{:.1f}" y="{:.1f}" class="{}"{}>{}</text>)", x, y, style, more, html::escaped(text));
 }
 
-std::string polygon(double x, double y, const std::vector<std::pair<double, double>> &corners) {
-    std::string points;
-    for (const auto &[dx, dy] : corners) {
-        points += fmt::format("{:.1f},{:.1f} ", x + dx, y + dy);
-    }
-    return fmt::format(R"(<polygon points="{}")", points);
-}
-
-/// Series differ by form as well as by colour; the caller closes the element.
-std::string marker(double x, double y, int style) {
+/// A series' marker around (x, y); the tip, if there is one, shows when the mouse rests on it.
+std::string marker(double x, double y, int style, std::string_view tip = {}) {
     constexpr double r = 3.6;
-    switch (style % 5) {
-    case 0:
-        return fmt::format(R"(<circle cx="{:.1f}" cy="{:.1f}" r="{:.1f}")", x, y, r);
-    case 1:
-        return polygon(x, y, {{-r, -r}, {r, -r}, {r, r}, {-r, r}});
-    case 2:
-        return polygon(x, y, {{0, -1.4 * r}, {1.4 * r, 0}, {0, 1.4 * r}, {-1.4 * r, 0}});
-    case 3:
-        return polygon(x, y, {{0, -1.3 * r}, {1.25 * r, r}, {-1.25 * r, r}});
-    default:
-        return polygon(x, y, {{0, 1.3 * r}, {1.25 * r, -r}, {-1.25 * r, -r}});
+    const std::string title = tip.empty() ? "" : fmt::format("<title>{}</title>", html::escaped(tip));
+    std::string corners;
+    for (const auto &[dx, dy] : marker_corners(style)) {
+        corners += fmt::format("{:.1f},{:.1f} ", x + r * dx, y + r * dy);
     }
+    return corners.empty()
+               ? fmt::format(R"(<circle cx="{:.1f}" cy="{:.1f}" r="{:.1f}" class="dot">{}</circle>)", x, y, r, title)
+               : fmt::format(R"(<polygon points="{}" class="dot">{}</polygon>)", corners, title);
 }
 
 std::string path_of(const std::vector<PlotPoint> &points) {
@@ -74,7 +62,7 @@ std::string guide_lines(const PlotLayout &layout) {
     return svg;
 }
 
-/// Over everything else, to be readable.
+/// Drawn last, over everything else, to stay readable.
 std::string guide_labels(const PlotLayout &layout) {
     std::string svg;
     for (const PlotGuide &guide : layout.guides) {
@@ -90,8 +78,7 @@ std::string series_svg(const PlotSeries &series, const std::function<std::string
         if (point.x_high - point.x_low > 1) {
             svg += line(point.x_low, point.y, point.x_high, point.y, "spread");
         }
-        svg += fmt::format(R"({} class="dot"><title>{}</title></{}>)", marker(point.x, point.y, series.style),
-                           html::escaped(tip(point.tag)), series.style % 5 == 0 ? "circle" : "polygon");
+        svg += marker(point.x, point.y, series.style, tip(point.tag));
     }
     return svg + "</g>";
 }
@@ -121,7 +108,7 @@ std::string legend_html(const std::vector<std::string> &names, bool with_front) 
     std::string legend;
     for (std::size_t i = 0; i < names.size(); ++i) {
         legend += fmt::format(R"(<span><svg viewBox="0 0 30 12" class="s{}" aria-hidden="true">)"
-                              R"(<path class="line" d="M0 6L30 6"/>{} class="dot"/></svg>{}</span>)",
+                              R"(<path class="line" d="M0 6L30 6"/>{}</svg>{}</span>)",
                               i, marker(15, 6, static_cast<int>(i)), html::escaped(names[i]));
     }
     if (with_front) {

@@ -9,10 +9,10 @@
 /// Plots as inline SVG. Colours come from the page's style: classes s0, s1, ... for series, p0, p1, ... for parts.
 namespace sandbox {
 
-/// `tip` is the text that a reader gets who rests on the point of a tag.
+/// `tip(tag)` is the text that shows when the mouse rests on a point.
 std::string plot_svg(const PlotRequest &request, const std::function<std::string(std::size_t)> &tip);
 
-/// One line: every series' line and marker with its name; `with_front`: the front too.
+/// The legend: line, marker and name of every series; `with_front`: of the front, too.
 std::string legend_html(const std::vector<std::string> &names, bool with_front);
 
 struct LabelledBar {

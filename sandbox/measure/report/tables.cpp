@@ -28,7 +28,7 @@ std::string_view style_of(Settling settling) {
     return settling == Settling::settled ? "" : settling == Settling::settling ? "unsettled" : "q";
 }
 
-/// The steps of one model: a line a frequency and part, a column a step.
+/// The steps of one model: a row per technique and kind of error, a column per step.
 std::string order_table(const WorkPrecision &m, const std::vector<OrderStep> &all, Model model) {
     std::vector<const OrderStep *> steps;
     for (const OrderStep &step : all) {

@@ -12,8 +12,8 @@ namespace {
 
 constexpr int cost_turns = 15;
 
-/// Darker than this a picture is black: below 1e-38 float32 ends, and the factors of a colour may be smaller than it
-/// is.
+/// A picture darker than this counts as black: float32 ends at 1e-38, and the factors of a colour may be smaller than
+/// the colour.
 constexpr double darkest = 1e-30;
 
 double brightest(const ReferenceFrame &truth) {
@@ -32,7 +32,7 @@ bool needs_guards(const StabilityCase &drawn, const std::vector<ObjectResources>
     return !std::ranges::all_of(features, [](const Features &f) { return without_guards(f) == f; });
 }
 
-/// Textbook and robust program take turns, so that a drift of the machine hits both alike; the median of the ratios.
+/// The median of the ratios; the two programs take turns, so that a drift of the machine hits both alike.
 double cost_of(const StabilityCase &timed, const StabilityDraw &draw) {
     std::vector<double> ratios;
     for (int turn = -2; turn < cost_turns; ++turn) {

@@ -24,7 +24,7 @@ struct StabilityRow {
 
 struct StabilityResult {
     StabilityCase definition;
-    std::vector<StabilityRow> rows; ///< as definition.techniques
+    std::vector<StabilityRow> rows; ///< in the order of definition.techniques
     StabilityRow textbook;
     bool guarded = true; ///< false: the scene needs no guard, so the program is the textbook's
     /// Run time of the first technique over that of the same program without guards; nothing if it was not timed.
@@ -53,12 +53,12 @@ struct StabilityDraw {
 constexpr Size stability_size{129, 129}; ///< odd: one pixel looks straight ahead
 /// Costs are taken on a picture large enough for the fragments to count.
 constexpr Size stability_timed_size{256, 256};
-/// Fewer compared pixels than this share of the picture, or more pixels than this that show another object, and a case
-/// fails: what is not there cannot be judged.
+/// A case fails if fewer pixels than the first share are compared, or more than the second show another object: what is
+/// not there cannot be judged.
 constexpr double least_compared_share = 0.01;
 constexpr double most_silhouette_share = 0.02;
 
-/// Judges `drawn` against `truth` as a case's bound says.
+/// Judges `drawn` against `truth` by a bound.
 StabilityRow judge_stability(const Frame &drawn, const ReferenceFrame &truth, const Technique &technique, double bound,
                              ErrorUnit unit);
 

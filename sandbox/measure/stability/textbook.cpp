@@ -19,7 +19,7 @@ namespace {
 using reference::Hit;
 using reference::MeshScene;
 
-/// As graphics processors have it: pow(x, n) = exp2(n log2 x).
+/// As graphics processors compute it: pow(x, n) = exp2(n log2 x).
 float power(float x, float n) { return std::exp2(n * std::log2(x)); }
 
 /// One object's vertices in world space.

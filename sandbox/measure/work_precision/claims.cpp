@@ -33,33 +33,20 @@ std::string time_words(const TimeRatio &time) {
     return time.lower_quartile > 1 ? percent + " more time" : "no measurable difference in time";
 }
 
-class Answers {
-  public:
-    explicit Answers(const WorkPrecision &measured) : measured_(measured), mesh_(own_mesh(measured)) {}
-
-    void add(const std::string &says, const Technique &technique, const Technique &against) {
-        const auto row = find_row(measured_, mesh_, technique);
-        const auto base = find_row(measured_, mesh_, against);
-        if (!row || !base || !measured_.rows[*row].complete() || !measured_.rows[*base].complete()) {
-            return;
-        }
-        const auto rmse = [&](std::size_t i) { return measured_.rows[i].errors->total.norms.rmse; };
-        const auto time = time_ratio(measured_, *row, *base);
-        const std::string finding = error_words(rmse(*row), rmse(*base)) + ", " + time_words(*time);
-        claims.push_back({says, *row, *base, *time, finding});
-    }
-
-    std::vector<Claim> claims;
-
-  private:
-    const WorkPrecision &measured_;
-    std::size_t mesh_;
-};
-
 } // namespace
 
 std::vector<Claim> answer_claims(const WorkPrecision &measured) {
-    Answers answers(measured);
+    std::vector<Claim> claims;
+    const auto answer = [&](const std::string &says, const Technique &technique, const Technique &against) {
+        const auto row = find_row(measured, own_mesh(measured), technique);
+        const auto base = find_row(measured, own_mesh(measured), against);
+        if (!row || !base || !measured.rows[*row].complete() || !measured.rows[*base].complete()) {
+            return;
+        }
+        const auto rmse = [&](std::size_t i) { return measured.rows[i].errors->total.norms.rmse; };
+        const TimeRatio time = *time_ratio(measured, *row, *base);
+        claims.push_back({says, *row, *base, time, error_words(rmse(*row), rmse(*base)) + ", " + time_words(time)});
+    };
     for (const Model model : richest_first(measured)) {
         const Technique per_pixel{.frequency = Frequency::per_pixel, .model = model};
         const Technique per_vertex{.frequency = Frequency::per_vertex, .model = model};
@@ -71,20 +58,20 @@ std::vector<Claim> answer_claims(const WorkPrecision &measured) {
         };
         const Technique interpolated = with(per_pixel, &Technique::attenuation, AttenuationAt::interpolated);
         const Technique distance = with(per_pixel, &Technique::attenuation, AttenuationAt::distance_interpolated);
-        answers.add("Attenuation may be interpolated", interpolated, per_pixel);
-        answers.add("The distance may be interpolated", distance, per_pixel);
-        answers.add("Interpolate the distance rather than attenuation", distance, interpolated);
-        answers.add("The light vectors may be interpolated", vectors, per_pixel);
-        answers.add("Hybrid is nearly as good as per-pixel", hybrid, per_pixel);
-        answers.add("Hybrid is better than per-vertex", hybrid, per_vertex);
+        answer("Attenuation may be interpolated", interpolated, per_pixel);
+        answer("The distance may be interpolated", distance, per_pixel);
+        answer("Interpolate the distance rather than attenuation", distance, interpolated);
+        answer("The light vectors may be interpolated", vectors, per_pixel);
+        answer("Hybrid is nearly as good as per-pixel", hybrid, per_pixel);
+        answer("Hybrid is better than per-vertex", hybrid, per_vertex);
         for (const Technique &technique : {per_pixel, per_vertex}) {
-            answers.add("The viewer may be infinitely far away", with(technique, &Technique::viewer, Viewer::infinite),
-                        technique);
-            answers.add("One half vector a light is enough",
-                        with(technique, &Technique::half_vector, HalfVector::constant), technique);
+            answer("The viewer may be infinitely far away", with(technique, &Technique::viewer, Viewer::infinite),
+                   technique);
+            answer("One half vector a light is enough", with(technique, &Technique::half_vector, HalfVector::constant),
+                   technique);
         }
     }
-    return answers.claims;
+    return claims;
 }
 
 } // namespace sandbox

@@ -14,7 +14,7 @@ struct Claim {
     TimeRatio time;
     std::string finding; ///< in words, from the numbers alone
 };
-/// The claims that this measurement can answer: of the richest model first.
+/// The claims that this measurement can answer, those of the richest model first.
 std::vector<Claim> answer_claims(const WorkPrecision &measured);
 
 } // namespace sandbox

@@ -12,7 +12,7 @@
 /// What follows from the rows of a measurement. A row is named by its index.
 namespace sandbox {
 
-/// The rows of norm_quantities.
+/// Names the rows of norm_quantities.
 enum class ErrorNorm { rmse, mean, max, p99 };
 /// Those of the total error that tables and plots show, in their order.
 constexpr ErrorNorm error_norms[]{ErrorNorm::rmse, ErrorNorm::p99, ErrorNorm::max};
@@ -31,7 +31,7 @@ std::optional<std::size_t> find_row(const WorkPrecision &measured, std::size_t m
 bool is_base(const MeasuredRow &row);
 /// The models that some row has, in the order lambert, phong, blinn-phong.
 std::vector<Model> models_of(const WorkPrecision &measured);
-/// The same from blinn_phong to lambert, as pages list them.
+/// The same in the order in which pages list them: from blinn_phong to lambert.
 std::vector<Model> richest_first(const WorkPrecision &measured);
 /// The mesh that is the scene's own.
 std::size_t own_mesh(const WorkPrecision &measured);
@@ -74,17 +74,18 @@ constexpr double error_bounds[]{1.0 / 255, 1.0 / 1024, 1e-5};
 /// The base row of least median time whose error is at most `bound`.
 std::optional<std::size_t> cheapest(const WorkPrecision &measured, Model model, ErrorNorm norm, double bound);
 
-/// How much longer `row` takes than `base`: the quotient of each round's two times, so that drift cancels.
+/// How much longer `row` takes than `base`: quartiles of the quotients of each round's two times, so that drift
+/// cancels.
 struct TimeRatio {
     std::size_t row = 0, base = 0;
     double lower_quartile = 1, median = 1, upper_quartile = 1;
 };
 std::optional<TimeRatio> time_ratio(const WorkPrecision &measured, std::size_t row, std::size_t base);
 
-/// What a variant is a variant of: the same frequency and model with every key at its default, on the same mesh.
+/// The row that a variant is compared with: the same frequency and model with every key at its default, on its mesh.
 std::optional<std::size_t> base_of(const WorkPrecision &measured, std::size_t row);
 
-/// Full programs against the specialised ones; stable or textbook power against auto.
+/// Every row of a group against its base: full programs against specialised ones, other powers against auto.
 std::vector<TimeRatio> ratios_to_base(const WorkPrecision &measured, RowGroup group);
 
 } // namespace sandbox

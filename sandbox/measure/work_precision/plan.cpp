@@ -38,7 +38,7 @@ std::optional<double> leading_rings(const Scene &scene) {
     return best ? std::optional(best->rings) : std::nullopt;
 }
 
-/// To counts at the first rung, then doubled.
+/// Scales counts to the first rung, then doubles them.
 struct Rescale {
     double to_first;
     int doublings;

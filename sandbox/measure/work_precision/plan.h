@@ -32,11 +32,11 @@ struct PlannedMesh {
     Scene scene;
 };
 
-/// What a row is there to show.
+/// Why a row is measured.
 enum class RowGroup { ladder, own_mesh, full_program, power, claim };
 
 struct PlannedRow {
-    std::size_t mesh = 0; ///< in the meshes
+    std::size_t mesh = 0; ///< index in the meshes
     Technique technique;
     RowGroup group = RowGroup::ladder;
 };
@@ -49,7 +49,7 @@ struct OmittedRow {
 struct Plan {
     std::vector<PlannedMesh> meshes; ///< from coarse to fine; the own ones, if no rung equals them, first
     std::vector<PlannedRow> rows;    ///< grouped by mesh
-    std::vector<OmittedRow> omitted; ///< what would draw with the same programs as another row
+    std::vector<OmittedRow> omitted; ///< techniques whose programs equal those of another row
 };
 
 /// The scene with every built-in shape rescaled, so that its leading shape (the first sphere's rings, else the first

@@ -13,7 +13,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Adds the time that it lives to a sum.
+/// Adds its lifetime to a sum of seconds.
 class Stopwatch {
   public:
     explicit Stopwatch(double &seconds) : seconds_(seconds), start_(Clock::now()) {}
@@ -46,7 +46,7 @@ class Measurement {
             result.rows.push_back({row, {}, {}, {}});
         }
         for (const PlannedMesh &mesh : result.meshes) {
-            resources_.push_back(draw.load(mesh.scene)); // held to the end: taking turns builds no mesh anew
+            resources_.push_back(draw.load(mesh.scene)); // held to the end, so that no mesh is built twice
         }
     }
 
@@ -61,7 +61,7 @@ class Measurement {
         take_turns();
     }
 
-    /// The times of all rounds so far.
+    /// Keeps the times of all rounds so far.
     void keep_times() {
         for (std::size_t i = 0; i < result_.rows.size() && i < samples_.size(); ++i) {
             if (!samples_[i].empty()) {
@@ -71,7 +71,7 @@ class Measurement {
     }
 
   private:
-    static constexpr double errors_share = 0.4; ///< of the progress: a guess, the scenes differ
+    static constexpr double errors_share = 0.4; ///< of the progress; a guess, since scenes differ
 
     void report(double share) {
         share_ = share;
@@ -184,7 +184,7 @@ class Measurement {
     std::vector<std::vector<double>> samples_; ///< by row
 };
 
-/// Between the two samples that the rank falls between.
+/// Interpolates between the two samples around the rank.
 double quantile(const std::vector<double> &sorted, double share) {
     const double rank = share * static_cast<double>(sorted.size() - 1);
     const auto below = static_cast<std::size_t>(rank);

@@ -42,7 +42,7 @@ struct MeasuredRow {
     [[nodiscard]] bool finite() const { return errors && errors->total.nonfinite_pixels == 0; }
 };
 
-/// Where the harness's own time went, in seconds; `other` is all that is neither drawing, reference nor metrics.
+/// Where the time of the whole measurement went, in seconds.
 struct Accounting {
     double drawing = 0, reference = 0, metrics = 0, other = 0;
 };
@@ -74,8 +74,8 @@ struct DrawRows {
     std::function<double(const Scene &, const Technique &)> timed;
 };
 
-/// Errors first, once a row; then rounds in which every row is drawn once: `options.warm_ups` rounds are dropped,
-/// `options.repeats` kept. If `progress` returns false the work stops and the result is marked unfinished.
+/// Finds the errors first, once per row; then draws every row once a round, drops `options.warm_ups` rounds and keeps
+/// `options.repeats`. If `progress` returns false, the work stops and the result is marked unfinished.
 WorkPrecision measure_work_precision(const Scene &scene, const PlanOptions &options, const DrawRows &draw,
                                      const Progress &progress = {});
 

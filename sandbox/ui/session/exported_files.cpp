@@ -1,7 +1,7 @@
 #include "ui/session/exported_files.h"
 
 #include "image/image_file.h"
-#include "measure/report/report_csv.h"
+#include "measure/report/csv.h"
 #include "measure/report/report_html.h"
 #include "measure/report/report_json.h"
 #include "ui/session/capture_files.h"

@@ -16,10 +16,10 @@ struct ErrorTimeView {
     std::array<bool, all_frequencies.size()> hidden{}; ///< by series
 };
 
-/// The model and the norm, on one line; `narrow`: lists that open instead of buttons.
+/// Model and norm, on one line; `narrow`: as lists that open instead of buttons.
 void error_time_choices(Session &session, const WorkPrecision &measured, ErrorTimeView &view, bool narrow);
 
-/// Every series; a click hides it.
+/// Name and marker of every series; a click hides it or shows it again.
 void error_time_legend(Session &session, ErrorTimeView &view);
 
 /// The plot, `size` large, in the current ImGui window.
@@ -28,7 +28,7 @@ void error_time_figure(Session &session, const WorkPrecision &measured, const Er
 /// The cheapest technique within each tolerance.
 void cheapest_table(Session &session, const WorkPrecision &measured, const ErrorTimeView &view);
 
-/// After an item that stands for a row: does what a click asks for, says in the hint what that is.
+/// Call after an item that stands for a row: takes the row where a click asks for it, and explains that in the hint.
 void row_clicks(Session &session, const WorkPrecision &measured, std::size_t row);
 
 } // namespace sandbox

@@ -168,22 +168,16 @@ void set_margins(PlotRequest &request) {
     request.bottom = 2.3 * em;
 }
 
-void draw_marker(ImDrawList &list, ImVec2 at, float r, int style, ImU32 color) {
-    switch (style % 5) {
-    case 0:
-        return list.AddCircleFilled(at, r, color);
-    case 1:
-        return list.AddRectFilled({at.x - r, at.y - r}, {at.x + r, at.y + r}, color);
-    case 2:
-        return list.AddQuadFilled({at.x, at.y - 1.4F * r}, {at.x + 1.4F * r, at.y}, {at.x, at.y + 1.4F * r},
-                                  {at.x - 1.4F * r, at.y}, color);
-    case 3:
-        return list.AddTriangleFilled({at.x, at.y - 1.3F * r}, {at.x + 1.25F * r, at.y + r},
-                                      {at.x - 1.25F * r, at.y + r}, color);
-    default:
-        return list.AddTriangleFilled({at.x, at.y + 1.3F * r}, {at.x - 1.25F * r, at.y - r},
-                                      {at.x + 1.25F * r, at.y - r}, color);
+void draw_marker(ImDrawList &list, ImVec2 at, float radius, int style, ImU32 color) {
+    const auto corners = marker_corners(style);
+    if (corners.empty()) {
+        list.AddCircleFilled(at, radius, color);
+        return;
     }
+    for (const auto &[x, y] : corners) {
+        list.PathLineTo({at.x + radius * static_cast<float>(x), at.y + radius * static_cast<float>(y)});
+    }
+    list.PathFillConvex(color);
 }
 
 void draw_plot(const PlotRequest &request, const PlotLayout &layout, ImVec2 corner,

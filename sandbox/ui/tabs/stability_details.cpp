@@ -2,7 +2,7 @@
 
 #include "measure/report/stability_report.h"
 #include "measure/report/text.h"
-#include "ui/tabs/verdict_color.h"
+#include "ui/tabs/stability_table.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 

@@ -1,6 +1,5 @@
 #include "ui/tabs/stability_table.h"
 
-#include "ui/tabs/verdict_color.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -40,6 +39,10 @@ void group_row(const std::string &group) {
 }
 
 } // namespace
+
+ImVec4 verdict_color(Verdict verdict) {
+    return verdict == Verdict::breaks ? error_text() : verdict == Verdict::holds ? side_color(true) : quiet_text();
+}
 
 std::optional<std::size_t> case_table(Session &session, const std::vector<ListedCase> &cases, const CaseFilter &filter,
                                       std::optional<std::size_t> chosen, ImVec2 size) {

@@ -9,6 +9,9 @@
 
 namespace sandbox {
 
+/// Blue where a bound holds, the error colour where it breaks: apart for all eyes, and the word stands there too.
+ImVec4 verdict_color(Verdict verdict);
+
 /// The cases that `filter` lets through, by group, in the current ImGui window; symptoms and costs where there is room.
 /// Returns the number of the case that was clicked.
 std::optional<std::size_t> case_table(Session &session, const std::vector<ListedCase> &cases, const CaseFilter &filter,

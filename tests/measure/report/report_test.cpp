@@ -1,7 +1,7 @@
 #include "measure/report/report.h"
 
+#include "measure/report/csv.h"
 #include "measure/report/html.h"
-#include "measure/report/report_csv.h"
 #include "measure/report/report_html.h"
 #include "measure/report/report_json.h"
 #include "measure/report/text.h"

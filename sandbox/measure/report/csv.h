@@ -1,6 +1,6 @@
 #pragma once
 
-#include "measure/metrics/quantity.h"
+#include "measure/report/report.h"
 
 #include <map>
 #include <string>
@@ -16,7 +16,7 @@ class CsvTable {
     void cell(const std::string &column, std::string_view text);
     /// The shortest text that reads back as the same number; "inf" if it is not finite.
     void cell(const std::string &column, double value);
-    /// "inf" for nothing, too: a ratio to no error at all.
+    /// "inf" for a quantity that is absent, too: the psnr of identical pictures.
     template <class T> void cell(const std::string &column, const Quantity<T> &quantity, const T &measured) {
         cell(column, quantity.value(measured).value_or(std::numeric_limits<double>::infinity()));
     }
@@ -28,5 +28,8 @@ class CsvTable {
     std::map<std::string, std::size_t> column_numbers_;
     std::vector<std::vector<std::string>> rows_;
 };
+
+/// report.csv: a header, then one line per row of the report; the columns hold all that the report says of the row.
+std::string report_csv(const std::vector<ReportRun> &runs);
 
 } // namespace sandbox

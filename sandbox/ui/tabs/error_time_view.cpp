@@ -1,0 +1,255 @@
+#include "ui/tabs/error_time_view.h"
+
+#include "measure/report/text.h"
+#include "ui/jobs/measured_rows.h"
+#include "ui/tabs/plot_drawing.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+#include <algorithm>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace sandbox {
+
+namespace {
+
+/// Where buttons would take too many lines.
+template <typename Choice>
+void combo(Session &session, const char *id, std::span<const Choice> choices, Choice &chosen, const char *hint) {
+    ImGui::SetNextItemWidth(ImGui::CalcTextSize("99th percentile").x + ImGui::GetFrameHeight() * 1.5F);
+    if (ImGui::BeginCombo(id, std::string(name_of(chosen)).c_str())) {
+        for (const Choice choice : choices) {
+            if (ImGui::Selectable(std::string(name_of(choice)).c_str(), choice == chosen)) {
+                chosen = choice;
+            }
+        }
+        ImGui::EndCombo();
+    }
+    hint_for_item(session, hint);
+}
+
+/// Beside each other.
+template <typename Choice>
+void buttons(Session &session, std::span<const Choice> choices, Choice &chosen, const char *hint) {
+    for (const Choice &choice : choices) {
+        if (&choice != choices.data()) {
+            ImGui::SameLine(0, 2);
+        }
+        if (toggle_button(std::string(name_of(choice)).c_str(), choice == chosen)) {
+            chosen = choice;
+        }
+        hint_for_item(session, hint);
+    }
+}
+
+constexpr const char *model_hint = "Techniques of this reflection model; each model is judged against its own truth.";
+constexpr const char *norm_hint = "Of the differences from the truth, over all channels of the compared pixels.";
+
+void legend_entry(Session &session, ErrorTimeView &view, std::size_t series) {
+    const std::string name(name_of(all_frequencies[series]));
+    const float em = ImGui::GetFontSize();
+    const float sample = em * 1.9F;
+    const ImVec2 size{sample + ImGui::CalcTextSize(name.c_str()).x + em * 0.3F, ImGui::GetFrameHeight()};
+    if (series > 0) {
+        same_line_if_fits(size.x);
+    }
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    if (ImGui::InvisibleButton(name.c_str(), size)) {
+        view.hidden[series] = !view.hidden[series];
+    }
+    const bool hidden = view.hidden[series];
+    hint_for_item(session, hidden ? "Click to show this technique again." : "Click to hide this technique.");
+    ImVec4 color = series_color(static_cast<int>(series));
+    color.w = hidden ? 0.3F : 1;
+    const ImU32 packed = ImGui::GetColorU32(color);
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    const float middle = at.y + size.y / 2;
+    list.AddLine({at.x, middle}, {at.x + sample - em * 0.4F, middle}, packed, em * 0.12F);
+    draw_marker(list, {at.x + (sample - em * 0.4F) / 2, middle}, em * 0.3F, static_cast<int>(series), packed);
+    const bool lit = ImGui::IsItemHovered() || ImGui::IsItemFocused();
+    list.AddText({at.x + sample, middle - em / 2},
+                 ImGui::GetColorU32(hidden && !lit ? quiet_text() : ImGui::GetStyleColorVec4(ImGuiCol_Text)),
+                 name.c_str());
+    if (hidden) {
+        list.AddLine({at.x + sample, middle}, {at.x + size.x, middle}, ImGui::GetColorU32(quiet_text()));
+    }
+}
+
+/// Where there is room for it.
+void front_entry() {
+    const char *words = "no other is faster and closer";
+    const float em = ImGui::GetFontSize();
+    ImGui::SameLine();
+    if (ImGui::GetContentRegionAvail().x < em * 2 + ImGui::CalcTextSize(words).x) {
+        ImGui::NewLine();
+        return;
+    }
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float middle = at.y + ImGui::GetFrameHeight() / 2;
+    ImGui::GetWindowDrawList()->AddLine({at.x, middle}, {at.x + em * 1.5F, middle}, ImGui::GetColorU32(front_color()),
+                                        em * 0.4F);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + em * 1.9F);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextColored(quiet_text(), "%s", words);
+}
+
+/// The plot without the series that are hidden; the front is that of what is left.
+PlotRequest visible_plot(const WorkPrecision &measured, const ErrorTimeView &view) {
+    PlotRequest plot = error_time_plot(measured, view.model, view.norm);
+    std::erase_if(plot.series, [&](const PlotSeries &series) {
+        return series.points.empty() || view.hidden[static_cast<std::size_t>(series.style)];
+    });
+    std::vector<TimeAndError> points;
+    std::vector<std::size_t> tags;
+    for (const PlotSeries &series : plot.series) {
+        for (const PlotPoint &point : series.points) {
+            points.push_back({point.x, point.y});
+            tags.push_back(point.tag);
+        }
+    }
+    plot.front.clear();
+    for (const std::size_t point : pareto_front(points)) {
+        plot.front.push_back(tags[point]);
+    }
+    return plot;
+}
+
+/// What keeps the numbers from being those of the scene that is shown; ends at `right`.
+void warning(const WorkPrecision &measured, const Scene &shown, ImVec2 right) {
+    std::string text = is_current(measured, shown) ? "" : "stale: not of the scene as it is now";
+    if (!measured.finished) {
+        text = "incomplete: cancelled" + (text.empty() ? "" : ";  " + text);
+    }
+    const float width = ImGui::CalcTextSize(text.c_str()).x;
+    ImGui::GetWindowDrawList()->AddText({right.x - width, right.y}, ImGui::GetColorU32(error_text()), text.c_str());
+}
+
+/// Above the mouse, towards the `middle` of the plot: neither its lower part nor the status line is hidden.
+void tooltip(const WorkPrecision &measured, std::size_t row, float middle) {
+    const ImVec2 mouse = ImGui::GetMousePos();
+    const float gap = ImGui::GetFontSize();
+    const bool to_left = mouse.x > middle;
+    ImGui::SetNextWindowPos({mouse.x + (to_left ? -gap : gap), mouse.y - gap / 2}, ImGuiCond_Always,
+                            {to_left ? 1.0F : 0.0F, 1.0F});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ImGui::GetFontSize() * 0.6F, ImGui::GetFontSize() * 0.4F));
+    ImGui::BeginTooltip();
+    ImVec4 color = series_color(series_style(measured.rows[row].plan.technique.frequency));
+    for (const std::string &line : row_lines(measured, row)) {
+        ImGui::TextColored(color, "%s", line.c_str());
+        color = ImGui::GetStyleColorVec4(ImGuiCol_Text); // after the first, the technique
+    }
+    ImGui::EndTooltip();
+    ImGui::PopStyleVar();
+}
+
+void technique_cell(Session &session, const WorkPrecision &measured, std::size_t row) {
+    const PlannedRow &plan = measured.rows[row].plan;
+    const float em = ImGui::GetFontSize();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const int style = series_style(plan.technique.frequency);
+    draw_marker(*ImGui::GetWindowDrawList(), {at.x + em * 0.5F, at.y + em * 0.55F}, em * 0.3F, style,
+                ImGui::GetColorU32(series_color(style)));
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + em * 1.2F);
+    const std::string name =
+        fmt::format("{}, {}", name_of(plan.technique.frequency), short_mesh_words(measured.meshes[plan.mesh]));
+    ImGui::PushID(static_cast<int>(row));
+    ImGui::Selectable(name.c_str(), false, ImGuiSelectableFlags_SpanAllColumns);
+    ImGui::PopID();
+    if (ImGui::IsItemHovered()) {
+        row_clicks(session, measured, row);
+    }
+}
+
+} // namespace
+
+void error_time_choices(Session &session, const WorkPrecision &measured, ErrorTimeView &view, bool narrow) {
+    const std::vector<Model> models = models_of(measured);
+    if (narrow) {
+        combo<Model>(session, "##model", models, view.model, model_hint);
+        ImGui::SameLine();
+        combo<ErrorNorm>(session, "##norm", error_norms, view.norm, norm_hint);
+    } else {
+        buttons<Model>(session, models, view.model, model_hint);
+        ImGui::SameLine();
+        buttons<ErrorNorm>(session, error_norms, view.norm, norm_hint);
+    }
+}
+
+void error_time_legend(Session &session, ErrorTimeView &view) {
+    for (std::size_t series = 0; series < all_frequencies.size(); ++series) {
+        legend_entry(session, view, series);
+    }
+    front_entry();
+}
+
+void row_clicks(Session &session, const WorkPrecision &measured, std::size_t row) {
+    const bool current = is_current(measured, session.document.scene);
+    session.hint = std::string(current ? "Click: this technique into A, its mesh into both.  "
+                                       : "Click: this technique into A; the scene keeps its mesh.  ") +
+                   "Right-click or Shift+click: into B.";
+    const bool left = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+    const bool right = ImGui::IsMouseClicked(ImGuiMouseButton_Right);
+    if (left || right) {
+        take_row(session.document, measured, row, right || ImGui::GetIO().KeyShift);
+    }
+}
+
+void error_time_figure(Session &session, const WorkPrecision &measured, const ErrorTimeView &view, ImVec2 size) {
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    ImGui::InvisibleButton("plot", size, ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
+    const bool over = ImGui::IsItemHovered();
+    PlotRequest plot = visible_plot(measured, view);
+    plot.width = static_cast<double>(size.x);
+    plot.height = static_cast<double>(size.y);
+    set_margins(plot);
+    const PlotLayout layout = lay_out(plot);
+    if (std::ranges::all_of(layout.series, [](const PlotSeries &series) { return series.points.empty(); })) {
+        const char *why = plot.series.empty() ? "Nothing to plot: all of it is hidden, or nothing was timed."
+                                              : "No error at all: every picture is exactly the truth.";
+        ImGui::GetWindowDrawList()->AddText(corner, ImGui::GetColorU32(quiet_text()), why);
+        return;
+    }
+    const ImVec2 mouse = ImGui::GetMousePos();
+    const auto hovered = over ? nearest_point(layout, static_cast<double>(mouse.x - corner.x),
+                                              static_cast<double>(mouse.y - corner.y), ImGui::GetFontSize() * 0.9)
+                              : std::nullopt;
+    draw_plot(plot, layout, corner, hovered);
+    warning(measured, session.document.scene, {corner.x + static_cast<float>(layout.right), corner.y});
+    for (const bool right : {false, true}) {
+        if (const auto row = shown_row(measured, session.document, right)) {
+            draw_ring(layout, corner, *row, right);
+        }
+    }
+    if (hovered) {
+        tooltip(measured, *hovered, corner.x + size.x / 2);
+        row_clicks(session, measured, *hovered);
+    }
+}
+
+void cheapest_table(Session &session, const WorkPrecision &measured, const ErrorTimeView &view) {
+    ImGui::TextColored(quiet_text(), "Cheapest with an error of at most");
+    if (!ImGui::BeginTable("cheapest", 3, ImGuiTableFlags_SizingFixedFit)) {
+        return;
+    }
+    for (const double bound : error_bounds) {
+        ImGui::TableNextRow();
+        ImGui::TableNextColumn();
+        ImGui::TextUnformatted(bound_name(bound).c_str());
+        ImGui::TableNextColumn();
+        ImGui::PushID(bound_name(bound).c_str());
+        if (const auto row = cheapest(measured, view.model, view.norm, bound)) {
+            ImGui::Text("%s ms", milliseconds_text(measured.rows[*row].time->median).c_str());
+            ImGui::TableNextColumn();
+            technique_cell(session, measured, *row);
+        } else {
+            ImGui::TableNextColumn();
+            ImGui::TextColored(quiet_text(), "none of these");
+        }
+        ImGui::PopID();
+    }
+    ImGui::EndTable();
+}
+
+} // namespace sandbox
