@@ -1,12 +1,123 @@
 #include "ui/panels/panels.h"
-#include "ui/panels/technique_table.h"
+#include "ui/session/edits.h"
+#include "ui/session/usable_controls.h"
+#include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
+#include <algorithm>
+#include <fmt/format.h>
 #include <imgui.h>
+#include <string>
 
 namespace sandbox {
 
 namespace {
+
+/// "normals=model-matrix: wrong under non-uniform scale.": the words of commands and files.
+std::string value_hint(const TechniqueKey &key, int value) {
+    const TechniqueValue &row = key.values[static_cast<std::size_t>(value)];
+    return key.kind == TechniqueKey::Kind::choice ? fmt::format("{}: {}.", row.name, row.look_for)
+                                                  : fmt::format("{}={}: {}.", key.name, row.name, row.look_for);
+}
+
+/// The mark of one side; true when clicked.
+bool mark(const TechniqueKey &key, bool set) {
+    if (key.kind == TechniqueKey::Kind::choice) {
+        return ImGui::RadioButton("##mark", set) && !set;
+    }
+    bool on = set;
+    return ImGui::Checkbox("##mark", &on);
+}
+
+void side_cell(Session &session, const TechniqueKey &key, int value, bool right) {
+    Technique &technique = session.technique(right);
+    if (!value_open(key, value, session.document.scene, technique)) {
+        return;
+    }
+    const bool set = key.get(technique) == value;
+    ImGui::PushID(right ? 1 : 0);
+    ImGui::PushStyleColor(ImGuiCol_CheckMark, side_color(right));
+    if (mark(key, set)) {
+        set_key(technique, key, set ? 0 : value);
+    }
+    ImGui::PopStyleColor();
+    hint_for_item(session, fmt::format("{}, {}", right ? "B" : "A", value_hint(key, value)));
+    ImGui::PopID();
+}
+
+/// Quiet text beside the label, or under it where the column is too narrow.
+void remark(const char *text) {
+    ImGui::SameLine();
+    if (ImGui::GetContentRegionAvail().x < ImGui::CalcTextSize(text).x) {
+        ImGui::NewLine();
+    }
+    ImGui::TextColored(quiet_text(), "%s", text);
+}
+
+void label_cell(Session &session, const TechniqueKey &key, int value, bool effect) {
+    const Document &document = session.document;
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextColored(effect ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : quiet_text(), "%s",
+                       title_of(key, value).c_str());
+    hint_for_item(session, value_hint(key, value));
+    const bool set = key.get(document.left) == value || key.get(document.right) == value;
+    if (!effect) {
+        remark("no effect here");
+    } else if (set && key.kind != TechniqueKey::Kind::choice) {
+        wrapped_text(quiet_text(), std::string(key.values[static_cast<std::size_t>(value)].look_for));
+    }
+}
+
+/// Rows are values of technique keys, columns are A and B: one click sets one side.
+bool begin_technique_table(const char *id) {
+    if (!ImGui::BeginTable(id, 3, ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_SizingFixedFit)) {
+        return false;
+    }
+    const float mark_width = ImGui::GetFrameHeight();
+    ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
+    ImGui::TableSetupColumn("A", ImGuiTableColumnFlags_WidthFixed, mark_width);
+    ImGui::TableSetupColumn("B", ImGuiTableColumnFlags_WidthFixed, mark_width);
+    ImGui::TableNextRow();
+    for (const bool right : {false, true}) {
+        ImGui::TableSetColumnIndex(right ? 2 : 1);
+        const float indent = (mark_width - ImGui::CalcTextSize("A").x) / 2;
+        ImGui::SetCursorPosX(ImGui::GetCursorPosX() + indent);
+        ImGui::TextColored(side_color(right), right ? "B" : "A");
+    }
+    return true;
+}
+
+/// Round marks choose among frequencies and models; square ones switch a setting on and off (off is the key's default).
+/// No row where both sides refuse the value; "no effect here" where no side's picture of this scene can show it; no
+/// mark on a side that cannot use it.
+void value_row(Session &session, const TechniqueKey &key, int value) {
+    const Document &document = session.document;
+    const ValueUse best = std::max(value_use(key, value, document.scene, document.left),
+                                   value_use(key, value, document.scene, document.right));
+    if (best == ValueUse::refused) {
+        return;
+    }
+    ImGui::PushID(key.name.data());
+    ImGui::PushID(value);
+    ImGui::TableNextRow();
+    ImGui::TableSetColumnIndex(0);
+    label_cell(session, key, value, best == ValueUse::open);
+    for (const bool right : {false, true}) {
+        ImGui::TableSetColumnIndex(right ? 2 : 1);
+        side_cell(session, key, value, right);
+    }
+    ImGui::PopID();
+    ImGui::PopID();
+}
+
+/// A row for each value but the default of all settings of this kind.
+void setting_rows(Session &session, TechniqueKey::Kind kind) {
+    for (const TechniqueKey &key : technique_settings) {
+        for (int value = 1; key.kind == kind && value < static_cast<int>(key.values.size()); ++value) {
+            value_row(session, key, value);
+        }
+    }
+}
 
 void heading_row(const char *text) {
     ImGui::TableNextRow();
@@ -17,7 +128,7 @@ void heading_row(const char *text) {
 void key_rows(Session &session, const TechniqueKey &key, const char *title) {
     heading_row(title);
     for (int value = 0; value < static_cast<int>(key.values.size()); ++value) {
-        technique_row(session, key, value);
+        value_row(session, key, value);
     }
 }
 
@@ -40,13 +151,13 @@ void technique_panel(Session &session) {
     key_rows(session, model_key, "Reflection model");
     heading_row("Variants");
     setting_rows(session, TechniqueKey::Kind::variant);
-    end_technique_table();
+    ImGui::EndTable();
 }
 
 void faults_panel(Session &session) {
     if (begin_technique_table("faults")) {
         setting_rows(session, TechniqueKey::Kind::fault);
-        end_technique_table();
+        ImGui::EndTable();
     }
 }
 
