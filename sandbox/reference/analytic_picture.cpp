@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fmt/format.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -98,13 +97,13 @@ class ShapeSampler : public Sampler {
 
 AnalyticObject prepare_object(const Setup &setup, const Object &object, const ObjectResources &resources) {
     if (const auto *obj = std::get_if<ObjShape>(&object.mesh)) {
-        throw InputError(fmt::format("{} is the mesh {}, which has no analytic surface", object.name, obj->path));
+        throw InputError("{} is the mesh {}, which has no analytic surface", object.name, obj->path);
     }
     AnalyticObject prepared{&object, world_transform(object.transform, setup), glm::dmat3(1),
                             base_color(object, resources)};
     const glm::dvec3 &scale = object.transform.scale;
     if (scale.x == 0 || scale.y == 0 || scale.z == 0) {
-        throw InputError(fmt::format("{} is flattened by a scale of 0 and has no analytic surface", object.name));
+        throw InputError("{} is flattened by a scale of 0 and has no analytic surface", object.name);
     }
     // (R S)^-1 = S^-1 R^T: exact under any scale.
     Transform rotation = object.transform;
@@ -238,9 +237,9 @@ class AnalyticPicture : public Picture {
 std::unique_ptr<Picture> analytic_picture(const Scene &scene, const std::vector<ObjectResources> &resources,
                                           const Technique &technique, Size size) {
     if (technique.frequency != Frequency::per_pixel || technique.attenuation != AttenuationAt::exact) {
-        throw InputError(fmt::format("{} needs vertices, which an analytic surface does not have; expected a per-pixel "
-                                     "technique with attenuation=exact",
-                                     to_string(technique)));
+        throw InputError("{} needs vertices, which an analytic surface does not have; expected a per-pixel "
+                         "technique with attenuation=exact",
+                         to_string(technique));
     }
     return std::make_unique<AnalyticPicture>(scene, resources, technique, size);
 }

@@ -21,8 +21,8 @@ std::string names_of(const auto &rows, std::string_view separator) {
 int parse_value(const TechniqueKey &key, std::string_view word, std::string_view technique) {
     const auto found = std::ranges::find(key.values, word, &TechniqueValue::name);
     if (found == key.values.end()) {
-        throw InputError(fmt::format("technique '{}': {}: expected {}, got '{}'", technique, key.name,
-                                     names_of(key.values, "|"), word));
+        throw InputError("technique '{}': {}: expected {}, got '{}'", technique, key.name, names_of(key.values, "|"),
+                         word);
     }
     return static_cast<int>(found - key.values.begin());
 }
@@ -31,8 +31,8 @@ void parse_setting(Technique &result, std::string_view setting, std::string_view
     const auto equals = setting.find('=');
     const auto *key = std::ranges::find(technique_settings, setting.substr(0, equals), &TechniqueKey::name);
     if (equals == std::string_view::npos || key == std::end(technique_settings)) {
-        throw InputError(fmt::format("technique '{}': expected key=value with key one of {}, got '{}'", technique,
-                                     names_of(technique_settings, ", "), setting));
+        throw InputError("technique '{}': expected key=value with key one of {}, got '{}'", technique,
+                         names_of(technique_settings, ", "), setting);
     }
     key->set(result, parse_value(*key, setting.substr(equals + 1), technique));
 }
@@ -67,9 +67,9 @@ Technique parse_technique(std::string_view text) {
     Technique result;
     const auto slash = text.find('/');
     if (slash == std::string_view::npos) {
-        throw InputError(fmt::format("technique '{}': expected FREQUENCY/MODEL[:key=value,...], e.g. "
-                                     "per-pixel/blinn-phong; FREQUENCY {}, MODEL {}",
-                                     text, names_of(frequency_values, "|"), names_of(model_values, "|")));
+        throw InputError("technique '{}': expected FREQUENCY/MODEL[:key=value,...], e.g. "
+                         "per-pixel/blinn-phong; FREQUENCY {}, MODEL {}",
+                         text, names_of(frequency_values, "|"), names_of(model_values, "|"));
     }
     const auto colon = text.find(':', slash);
     frequency_key.set(result, parse_value(frequency_key, text.substr(0, slash), text));
@@ -80,7 +80,7 @@ Technique parse_technique(std::string_view text) {
         parse_setting(result, text.substr(start, end - start), text);
     }
     if (const auto reason = why_refused(result)) {
-        throw InputError(fmt::format("technique '{}' is refused: {}", text, *reason));
+        throw InputError("technique '{}' is refused: {}", text, *reason);
     }
     return result;
 }
