@@ -17,6 +17,8 @@ uniform float depth_per_octave;
 uniform float depth_at_1;
 #endif
 
+#choices
+
 #if fragment.lit
 #include "lighting.glsl"
 #elif fragment.constant_ambient
@@ -25,21 +27,22 @@ uniform vec3 ambient; // all constant ambient light, times the material
 #if emission
 uniform vec3 emission;
 #endif
-#if texture
+#if reads_uv
 uniform sampler2D base_texture;
-#elif checker
+#endif
+#if reads_checker
 #include "base_checker.glsl"
 #endif
 
 void main()
 {
 #if fragment.N
-#if guard_normal
-    vec3 N = v_normal != vec3(0.0) ? normalize(v_normal) : v_normal; // interpolated normals may cancel
-#elif renormalize
-    vec3 N = normalize(v_normal);
-#else
+#if renormalize_off
     vec3 N = v_normal; // Fault: interpolation left it shorter than 1.
+#elif guard_normal
+    vec3 N = v_normal != vec3(0.0) ? normalize(v_normal) : v_normal; // interpolated normals may cancel
+#else
+    vec3 N = normalize(v_normal);
 #endif
 #endif
 #if wide
@@ -48,21 +51,19 @@ void main()
 #if fragment.V
 #if viewer_infinite
     vec3 V = view_direction; // Fault: the same for every point.
-#elif vectors
-    vec3 V = normalize(v_view);
-#elif wide
-    vec3 V = normalize(-P);
 #else
-    vec3 V = normalize(-v_position);
+    vec3 V = normalize(${fragment.to_eye});
 #endif
 #endif
 #if fragment.N && fragment.V && two_sided
     N = dot(N, V) < 0.0 ? -N : N;
 #endif
-#if texture
+#if textured
     vec3 base = texture(base_texture, v_uv).rgb;
-#elif checker
+#elif chequered
     vec3 base = checker_color(v_object_position);
+#elif full
+    vec3 base = vec3(1.0);
 #endif
 #if fragment.separate_specular
     vec3 specular = vec3(0.0);

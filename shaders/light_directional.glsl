@@ -1,8 +1,8 @@
-vec3 directional_light(DirectionalLight light${directional.parameters})
+vec3 directional_light(${light.type} light${light.parameters})
 {
-#if directional.uses_L
+#if light.uses_L
     vec3 L = -light.direction;
 #endif
-#include "light_terms.glsl" with directional
+#include "light_terms.glsl"
 }
 

@@ -1,7 +1,7 @@
-vec3 point_light(PointLight light${point.parameters})
+vec3 point_light(${light.type} light${light.parameters})
 {
-#include "light_position.glsl" with point
-#include "light_attenuation.glsl" with point
-#include "light_terms.glsl" with point
+#include "light_position.glsl"
+#include "light_attenuation.glsl"
+#include "light_terms.glsl"
 }
 

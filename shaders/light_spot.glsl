@@ -1,10 +1,10 @@
-vec3 spot_light(SpotLight light${spot.parameters})
+vec3 spot_light(${light.type} light${light.parameters})
 {
-#include "light_position.glsl" with spot
-#include "light_attenuation.glsl" with spot
-#if spot.uses_cone
+#include "light_position.glsl"
+#include "light_attenuation.glsl"
+#if light.uses_cone
 #include "light_cone.glsl"
 #endif
-#include "light_terms.glsl" with spot
+#include "light_terms.glsl"
 }
 

@@ -1,7 +1,10 @@
 #if light.uses_n_dot_l
     float n_dot_l = dot(N, L);
 #endif
-#if light.adds_specular && gate_light_facing
+#if light.adds_specular && full
+    bool open = gate_none || (gate_light_facing ? n_dot_l : dot(N, V)) > 0.0;
+    float highlight = open ? ${light.highlight} : 0.0;
+#elif light.adds_specular && gate_light_facing
     float highlight = n_dot_l > 0.0 ? ${light.highlight} : 0.0;
 #elif light.adds_specular && gate_view_facing
     float highlight = dot(N, V) > 0.0 ? ${light.highlight} : 0.0; // Fault: asks whether the viewer is in front, not the light.
@@ -9,8 +12,10 @@
     float highlight = ${light.highlight}; // Fault: shines through from behind.
 #endif
 #if light.adds_ambient || light.adds_attenuated_ambient
-#if where_lit
+#if ambient_where_lit
     float lit = n_dot_l > 0.0 ? 1.0 : 0.0; // Fault: ambient light needs no facing.
+#elif full
+    float lit = 1.0;
 #endif
 #endif
 #if light.adds_separate_specular

@@ -2,7 +2,7 @@
 #if stage.constant_ambient
 uniform vec3 ambient; // all constant ambient light, times the material
 #endif
-#if stage.specular && uniform_exponent
+#if stage.specular && reads_exponent
 uniform float shininess; // the exponent n
 #endif
 #if stage.uses_view_direction
@@ -12,18 +12,31 @@ uniform vec3 view_direction; // towards a viewer at infinity
 #if stage.stable_power
 #include "power_stable.glsl"
 #endif
-#if stage.specular && blinn_phong
-#include "reflection_blinn_phong.glsl"
-#elif stage.specular && phong
-#include "reflection_phong.glsl"
+#each model
+#if stage.specular && model.used
+#include "reflection_${model.function}.glsl"
 #endif
-#if stage.directional
-#include "light_directional.glsl"
+#end
+#each light
+#if light.used
+#include "light_${light.kind}.glsl"
 #endif
-#if stage.point
-#include "light_point.glsl"
+#end
+// All light that leaves the surface${stage.before_base}.
+vec3 lighting(${stage.surface_parameters})
+{
+#if stage.R
+    vec3 R = reflect(-V, N); // the mirrored view: R.L is the mirrored light's R.V
 #endif
-#if stage.spot
-#include "light_spot.glsl"
+    vec3 sum = ${stage.first_sum};
+#each light
+#if light.used && light.many
+    for (int i = ${light.first}; i < ${light.end}; ++i) {
+        sum += ${light.kind}_light(${light.uniform}${light.arguments});
+    }
+#elif light.used
+    sum += ${light.kind}_light(${light.uniform}${light.arguments});
 #endif
-#include "all_lights.glsl"
+#end
+    return sum;
+}

@@ -1,9 +1,62 @@
-#if directional.declared
-#include "light_struct.glsl" with directional
+#each array
+#if array.declared
+struct ${array.type} {
+#if array.positional
+    vec3 position; // from the eye
 #endif
-#if point.declared
-#include "light_struct.glsl" with point
+#if array.directed
+    vec3 direction; // unit, the way light travels
 #endif
-#if spot.declared
-#include "light_struct.glsl" with spot
+#if array.ambient
+    vec3 ambient; // material times light
+#endif
+#if array.attenuated_ambient
+    vec3 attenuated_ambient; // material times light, fades
+#endif
+#if array.diffuse
+    vec3 diffuse; // material times light
+#endif
+#if array.specular
+    vec3 specular; // material times light
+#endif
+#if array.given_half_vector
+    vec3 half_vector;
+#endif
+#if array.constant
+    float constant; // attenuation
+#endif
+#if array.linear
+    float linear;
+#endif
+#if array.quadratic
+    float quadratic;
+#endif
+#if array.cone
+    float cos_cutoff;
+#endif
+#if array.narrow_cone
+    float sin2_cutoff; // the square of the cutoff's sine
+#endif
+#if array.soft_cone && array.narrow_cone
+    float edge_sharpness; // 1 over the width of the edge, in cosines; 0: hard
+#endif
+#if array.soft_cone && !array.narrow_cone || full
+    float cos_inner_cutoff;
+#endif
+#if array.exponent
+    float exponent;
+#endif
+};
+#if array.many
+uniform ${array.type} ${array.array}[${array.count}];
+#else
+uniform ${array.type} the_${array.kind}_light;
+#endif
+
+#endif
+#end
+#if full
+#each light
+uniform int ${light.first}, ${light.end}; // where these lights begin and end in the array
+#end
 #endif

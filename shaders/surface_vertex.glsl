@@ -1,17 +1,17 @@
-#if vertex.P || rigid || model_matrix_normals
+#if reads_model
 uniform mat4 model; // world space, moved so that the eye is the origin
 #endif
-#if normal_matrix
+#if reads_normal_matrix
 uniform mat3 normal_matrix; // inverse transpose of model
 #endif
-#if w0
+#if reads_eye
 uniform vec3 eye;
 #endif
 
 #if vertex.P
 vec3 surface_position()
 {
-#if w0
+#if position_w0
     // Fault: w = 0 drops the translation.
     return (model * vec4(${vertex.point}, 0.0)).xyz - eye;
 #else
@@ -27,18 +27,18 @@ vec3 surface_position()
 #endif
 vec3 surface_normal()
 {
-#if normal_matrix && guard_vertex_normal
-    return guarded_unit(normal_matrix * a_normal, a_normal); // a flattened object may leave nothing
-#elif normal_matrix
-    return normalize(normal_matrix * a_normal);
-#elif rigid
-    return mat3(model) * a_normal;
-#elif model_matrix_normals && guard_vertex_normal
-    return guarded_unit(mat3(model) * a_normal, a_normal); // Fault: wrong under non-uniform scale.
-#elif model_matrix_normals
-    return normalize(mat3(model) * a_normal); // Fault: wrong under non-uniform scale.
-#elif untransformed_normals
+#if normals_untransformed
     return a_normal; // Fault: still in object space.
+#elif normals_model_matrix && guard_vertex_normal
+    return guarded_unit(mat3(model) * a_normal, a_normal); // Fault: wrong under non-uniform scale.
+#elif normals_model_matrix
+    return normalize(mat3(model) * a_normal); // Fault: wrong under non-uniform scale.
+#elif normals_general && guard_vertex_normal
+    return guarded_unit(normal_matrix * a_normal, a_normal); // a flattened object may leave nothing
+#elif normals_general
+    return normalize(normal_matrix * a_normal);
+#elif normals_rigid
+    return mat3(model) * a_normal;
 #else
     return a_normal;
 #endif

@@ -10,15 +10,29 @@ ${way} vec3 v_position; // from the eye
 #if fragment.N
 ${way} vec3 v_normal;
 #endif
-#if vectors && fragment.V && !viewer_infinite
+#if passes_view
 ${way} vec3 v_view;
 #endif
-#include "varyings_light.glsl" with directional
-#include "varyings_light.glsl" with point
-#include "varyings_light.glsl" with spot
-#if texture
+#each array
+#if array.varying_L
+${way} vec3 ${array.v}_L[${array.count}];
+#endif
+#if array.varying_H
+${way} vec3 ${array.v}_${H}[${array.count}];
+#endif
+#if array.varying_R
+${way} vec3 ${array.v}_${R}[${array.count}];
+#endif
+#if array.varying_distance
+${way} float ${array.v}_distance[${array.count}];
+#endif
+#if array.varying_attenuation
+${way} float ${array.v}_attenuation[${array.count}];
+#endif
+#end
+#if reads_uv
 ${way} vec2 v_uv;
 #endif
-#if checker
+#if reads_checker
 ${way} vec3 v_object_position;
 #endif

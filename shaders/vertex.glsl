@@ -1,17 +1,19 @@
 #version 330 core
 
 layout(location = 0) in vec3 a_position;
-#if vertex.N
+#if reads_normal
 layout(location = 1) in vec3 a_normal;
 #endif
-#if texture
+#if reads_uv
 layout(location = 2) in vec2 a_uv;
 #endif
-#if flat && vertex.P
+#if reads_centroid
 layout(location = 3) in vec3 a_centroid;
 #endif
 
 #include "varyings.glsl"
+
+#choices
 
 uniform mat4 model_view_projection;
 #include "surface_vertex.glsl"
@@ -58,13 +60,13 @@ void main()
 #if fragment.P && !wide
     v_position = P;
 #endif
-#if vectors && fragment.V && !viewer_infinite
+#if passes_view
     v_view = V;
 #endif
-#if texture
+#if reads_uv
     v_uv = a_uv;
 #endif
-#if checker
+#if reads_checker
     v_object_position = a_position;
 #endif
 }

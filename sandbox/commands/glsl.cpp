@@ -2,6 +2,7 @@
 
 #include "scene/resources.h"
 #include "scene/scene_file.h"
+#include "shading/prepared_object.h"
 #include "shading/program_source.h"
 
 #include <fmt/format.h>
@@ -36,10 +37,10 @@ std::size_t find_object(const Scene &scene, const std::string &name) {
 }
 
 /// Says which objects need another program than the one that is printed.
-void note_other_programs(const Scene &scene, const std::vector<Features> &features, std::size_t printed) {
+void note_other_programs(const Scene &scene, const std::vector<PreparedObject> &objects, std::size_t printed) {
     std::vector<std::string> others;
-    for (std::size_t i = 0; i < features.size(); ++i) {
-        if (features[i] != features[printed]) {
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        if (objects[i].program != objects[printed].program) {
             others.push_back(object_name(scene, i));
         }
     }
@@ -53,10 +54,10 @@ int run_glsl(const GlslFlags &flags, const CommonOptions &common) {
     const Scene scene = open_scene(common, flags.scene);
     const std::size_t chosen = find_object(scene, flags.object);
     const std::vector<ObjectResources> resources = Resources(scene_assets(common)).load(scene);
-    const std::vector<Features> features = derive_features(scene, flags.technique, resources);
-    require_drawable(features[chosen], scene, flags.technique, scene.objects[chosen]);
-    const ProgramSource program = assemble(features[chosen], ShaderParts(shader_assets(common)));
-    note_other_programs(scene, features, chosen);
+    const std::vector<PreparedObject> objects = prepare_objects(scene, flags.technique, resources);
+    require_drawable(objects[chosen].features, scene.objects[chosen]);
+    const ProgramSource program = assemble(objects[chosen].program, ShaderParts(shader_assets(common)));
+    note_other_programs(scene, objects, chosen);
     if (flags.stage.empty()) {
         print(fmt::format("// ---- vertex stage ----\n{}\n// ---- fragment stage ----\n{}", program.vertex.text,
                           program.fragment.text));

@@ -1,6 +1,7 @@
 #include "reference/branches.h"
 
 #include "reference/raster.h"
+#include "scene/light_kind.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +21,7 @@ double largest(const glm::dvec3 &v) { return std::max({std::abs(v.x), std::abs(v
 
 /// The lengths whose difference gives the distance, as shares of it.
 double spread(const LightSetup &light, const glm::dvec3 &position, double d) {
-    if (light.light.type == LightType::directional) {
+    if (!has_position(light.light)) {
         return 0;
     }
     return (glm::length(position) + glm::length(light.position)) / std::max(d, 1e-300);

@@ -1,5 +1,7 @@
 #include "reference/fragment.h"
 
+#include "scene/light_kind.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -64,7 +66,7 @@ LightVectors Fragment::vectors(const SurfacePoint &point, std::size_t light) con
     }
     const LightSetup &setup = setup_.lights[light];
     LightVectors vectors = Sampler::vectors(point, light);
-    if (setup_.technique.attenuation == AttenuationAt::exact || setup.light.type == LightType::directional) {
+    if (setup_.technique.attenuation == AttenuationAt::exact || !has_position(setup.light)) {
         return vectors;
     }
     const auto distance = [&](int i) { return glm::length(setup.position - mesh_.positions[triangle_[i]]); };
@@ -83,7 +85,7 @@ LightVectors Fragment::interpolated_vectors(const SurfacePoint &point, std::size
         return blend(point.weights, corners[0].*member, corners[1].*member, corners[2].*member);
     };
     LightVectors vectors = corners[0];
-    if (setup.light.type != LightType::directional) {
+    if (has_position(setup.light)) {
         vectors.l = unit_or(interpolated(&LightVectors::l), point.normal);
         vectors.d = interpolated(&LightVectors::d);
         vectors.a = setup_.technique.attenuation == AttenuationAt::interpolated

@@ -1,5 +1,6 @@
 #include "reference/lighting.h"
 
+#include "scene/light_kind.h"
 #include "scene/space.h"
 
 #include <algorithm>
@@ -34,17 +35,17 @@ LightSetup prepare_light(const Light &light, const glm::dvec3 &eye, const glm::d
     setup.light = light;
     setup.position = light.position - eye;
     setup.travel = unit(light.direction);
-    setup.cone = light.type == LightType::spot && light.cutoff_degrees != 180;
+    setup.cone = has_cone(light);
     setup.cos_outer = cos_degrees(light.cutoff_degrees);
     setup.cos_inner = cos_degrees(light.inner_cutoff_degrees);
-    const glm::dvec3 to_light = light.type == LightType::directional ? -setup.travel : unit(light.position);
+    const glm::dvec3 to_light = has_position(light) ? unit(light.position) : -setup.travel;
     setup.constant_half = unit(to_light + view_axis);
     return setup;
 }
 
 /// c, s and s_uncut of a spot; the exponent counts only inside a cone (cutoff 180 drops it, as OpenGL did).
 void spot_factor(const LightSetup &light, LightTerms &terms) {
-    if (light.light.type != LightType::spot) {
+    if (!kind_of(light.light.type).conical) {
         return;
     }
     terms.c = glm::dot(-terms.vectors.l, light.travel);
@@ -141,7 +142,7 @@ glm::dvec3 view_vector(const Setup &setup, const glm::dvec3 &p) {
 LightVectors light_vectors(const Setup &setup, const LightSetup &light, const glm::dvec3 &p, const glm::dvec3 &n,
                            const glm::dvec3 &v) {
     LightVectors vectors;
-    if (light.light.type == LightType::directional) {
+    if (!has_position(light.light)) {
         vectors.l = -light.travel;
     } else {
         const glm::dvec3 to_light = light.position - p;
@@ -192,8 +193,7 @@ LightTerms light_terms(const Setup &setup, const LightSetup &light, const LightV
     if (technique.ambient == AmbientWhere::everywhere || terms.n_dot_l > 0) {
         terms.ambient = light.light.color * light.light.ambient * (light.light.attenuate_ambient ? reach : 1);
     }
-    const bool unnegated =
-        technique.direction == DirectionSign::unnegated_diffuse && light.light.type == LightType::directional;
+    const bool unnegated = technique.direction == DirectionSign::unnegated_diffuse && !has_position(light.light);
     const double incidence = unnegated ? glm::dot(n, light.travel) : terms.n_dot_l;
     terms.diffuse = light.light.color * (light.light.diffuse * std::max(incidence, 0.0) * reach);
     if (reflection(technique.model).specular) {

@@ -32,8 +32,8 @@ double attenuation(const Attenuation &k, double d);
 /// A light and what follows from it once per picture.
 struct LightSetup {
     Light light;
-    glm::dvec3 position{0};      ///< from the eye; point, spot
-    glm::dvec3 travel{0};        ///< unit(direction); directional, spot
+    glm::dvec3 position{0};      ///< from the eye; of a positional light
+    glm::dvec3 travel{0};        ///< unit(direction)
     bool cone = false;           ///< a spot whose cutoff is not 180 degrees
     double cos_outer = -1;       ///< cos(cutoff)
     double cos_inner = -1;       ///< cos(inner cutoff); equal to cos_outer: a hard edge

@@ -1,7 +1,7 @@
 #include "render/light_values.h"
 
+#include "scene/light_kind.h"
 #include "scene/space.h"
-#include "shading/features.h"
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -29,29 +29,28 @@ double cos_degrees(double degrees) { return degrees == 90 ? 0 : std::cos(glm::ra
 /// One half vector for the whole scene: the light seen from the world's origin, and the view axis. Under an infinite
 /// viewer that is exact for a directional light.
 glm::dvec3 scene_half_vector(const Light &light, const Scene &scene) {
-    const glm::dvec3 to_light = light.type == LightType::directional ? -unit(light.direction) : unit(light.position);
+    const glm::dvec3 to_light = has_position(light) ? unit(light.position) : -unit(light.direction);
     return unit(to_light - camera_axes(scene.camera).forward);
 }
 
 } // namespace
 
-LightValues light_values(const Light &light, const Scene &scene, const Technique &technique, const Material &material,
-                         double scale) {
+LightValues light_values(const Scene &scene, const ObjectLight &on_object, const Material &material, double scale) {
+    const Light &light = scene.lights[on_object.index];
     LightValues values;
-    const bool cone = light.type == LightType::spot && light.cutoff_degrees != 180;
-    values.type = light.type == LightType::directional ? 0 : (cone ? 2 : 1);
     values.position = (light.position - scene.camera.position) * scale;
     values.direction = unit(light.direction);
-    if (ambient_with_light(light, technique)) {
-        (light.attenuate_ambient && fades(light) ? values.attenuated_ambient : values.ambient) =
+    if (on_object.ambient || on_object.attenuated_ambient) {
+        (on_object.ambient ? values.ambient : values.attenuated_ambient) =
             material.ambient * light.color * light.ambient;
     }
     values.diffuse = material.diffuse * light.color * light.diffuse;
-    values.specular =
-        technique.model == Model::lambert ? glm::dvec3(0) : material.specular * light.color * light.specular;
+    if (on_object.specular) {
+        values.specular = material.specular * light.color * light.specular;
+    }
     values.half_vector = scene_half_vector(light, scene);
     values.attenuation = scaled(light.attenuation, scale);
-    if (cone) {
+    if (has_cone(light)) {
         values.cos_cutoff = cos_degrees(light.cutoff_degrees);
         values.cos_inner_cutoff = cos_degrees(light.inner_cutoff_degrees);
         const double sine = std::sin(glm::radians(light.cutoff_degrees));
@@ -65,14 +64,28 @@ LightValues light_values(const Light &light, const Scene &scene, const Technique
     return values;
 }
 
-glm::dvec3 constant_ambient_light(const Scene &scene, const Technique &technique, const Material &material) {
-    glm::dvec3 sum = scene.ambient;
-    for (const Light &light : scene.lights) {
-        if (light.enabled && !ambient_with_light(light, technique)) {
-            sum += light.color * light.ambient;
-        }
-    }
-    return material.ambient * sum;
+void put_light(Uploader &uploader, const std::string &name, const LightValues &light) {
+    const auto vector = [&](const char *member, const glm::dvec3 &value) {
+        uploader.put(name + member, glm::vec3(value));
+    };
+    const auto number = [&](const char *member, double value) {
+        uploader.put(name + member, static_cast<float>(value));
+    };
+    vector(".position", light.position);
+    vector(".direction", light.direction);
+    vector(".ambient", light.ambient);
+    vector(".attenuated_ambient", light.attenuated_ambient);
+    vector(".diffuse", light.diffuse);
+    vector(".specular", light.specular);
+    vector(".half_vector", light.half_vector);
+    number(".constant", light.attenuation.constant);
+    number(".linear", light.attenuation.linear);
+    number(".quadratic", light.attenuation.quadratic);
+    number(".cos_cutoff", light.cos_cutoff);
+    number(".cos_inner_cutoff", light.cos_inner_cutoff);
+    number(".sin2_cutoff", light.sin2_cutoff);
+    number(".edge_sharpness", light.edge_sharpness);
+    number(".exponent", light.exponent);
 }
 
 } // namespace sandbox

@@ -1,13 +1,13 @@
 #pragma once
 
+#include "render/uploader.h"
 #include "scene/scene.h"
-#include "shading/technique.h"
+#include "shading/object_lights.h"
 
 namespace sandbox {
 
 /// One light as the programs want it: colours already multiplied by the material, directions unit, cosines in double.
 struct LightValues {
-    int type = 0;           ///< full program: 0 directional, 1 point, 2 spot
     glm::dvec3 position{0}; ///< from the eye
     glm::dvec3 direction{0};
     glm::dvec3 ambient{0}, attenuated_ambient{0}, diffuse{0}, specular{0};
@@ -20,11 +20,10 @@ struct LightValues {
     double exponent = 0;
 };
 
-/// `scale` multiplies every length (see Placing).
-LightValues light_values(const Light &light, const Scene &scene, const Technique &technique, const Material &material,
-                         double scale = 1);
+/// `scale` multiplies every length (see EyeSpace).
+LightValues light_values(const Scene &scene, const ObjectLight &on_object, const Material &material, double scale = 1);
 
-/// material.ambient * (scene.ambient + every light's ambient that needs neither position nor facing).
-glm::dvec3 constant_ambient_light(const Scene &scene, const Technique &technique, const Material &material);
+/// All of one light's members, below `name` ("point_lights[0]").
+void put_light(Uploader &uploader, const std::string &name, const LightValues &light);
 
 } // namespace sandbox

@@ -47,9 +47,9 @@ glm::dvec3 face_normal(const Mesh &mesh, const glm::uvec3 &t) {
 
 } // namespace
 
-VertexArray MeshBuffers::make_array(const VertexLayout &layout) {
+VertexArray MeshBuffers::make_array(const VertexAttributes &attributes) {
     const Mesh &mesh = *mesh_;
-    const bool flat = layout.flat;
+    const bool flat = attributes.flat;
     Arrangement &buffers = flat ? flat_ : shared_;
     VertexArray array = make_vertex_array();
     glBindVertexArray(array.id());
@@ -63,17 +63,17 @@ VertexArray MeshBuffers::make_array(const VertexLayout &layout) {
     };
     attach(0, buffers.positions,
            [&](const glm::uvec3 &, unsigned v) { return glm::vec3(mesh.positions[v] - origin_); });
-    if (layout.normal) {
+    if (attributes.normal) {
         attach(1, buffers.normals, [&](const glm::uvec3 &t, unsigned v) {
             return glm::vec3(flat ? face_normal(mesh, t) : mesh.normals[v]);
         });
     }
-    if (layout.uv) {
+    if (attributes.uv) {
         attach(2, buffers.uvs, [&](const glm::uvec3 &, unsigned v) {
             return mesh.uvs.empty() ? glm::vec2(0) : glm::vec2(mesh.uvs[v]);
         });
     }
-    if (layout.centroid) {
+    if (attributes.centroid) {
         attach(3, buffers.centroids, [&](const glm::uvec3 &t, unsigned) {
             return glm::vec3((mesh.positions[t.x] + mesh.positions[t.y] + mesh.positions[t.z]) / 3.0 - origin_);
         });
@@ -87,14 +87,14 @@ VertexArray MeshBuffers::make_array(const VertexLayout &layout) {
     return array;
 }
 
-void MeshBuffers::draw(const VertexLayout &layout) {
-    auto found = arrays_.find(layout);
+void MeshBuffers::draw(const VertexAttributes &attributes) {
+    auto found = arrays_.find(attributes);
     if (found == arrays_.end()) {
-        found = arrays_.emplace(layout, make_array(layout)).first;
+        found = arrays_.emplace(attributes, make_array(attributes)).first;
     }
     glBindVertexArray(found->second.id());
     const auto corners = static_cast<GLsizei>(mesh_->triangles.size() * 3);
-    if (layout.flat) {
+    if (attributes.flat) {
         glDrawArrays(GL_TRIANGLES, 0, corners);
     } else {
         glDrawElements(GL_TRIANGLES, corners, GL_UNSIGNED_INT, nullptr);

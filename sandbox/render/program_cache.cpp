@@ -39,7 +39,8 @@ const GlProgram &ProgramCache::get(const Features &features) {
 const GlProgram &ProgramCache::wireframe(bool deep) {
     auto found = wireframes_.find(deep);
     if (found == wireframes_.end()) {
-        const TemplateValues values{{{"deep", deep}}, {}};
+        TemplateValues values;
+        values.flags["deep"] = deep;
         found = wireframes_
                     .emplace(deep, ProgramSource{expand(parts_, "wireframe_vertex.glsl", values),
                                                  expand(parts_, "wireframe_fragment.glsl", values)})

@@ -1,34 +1,21 @@
 #include "render/renderer.h"
 
-#include "render/log_depth.h"
+#include "render/gl_state.h"
 #include "render/mesh_buffers.h"
-#include "render/placing.h"
 #include "render/program_cache.h"
 #include "render/uniforms.h"
-#include "render/visibility.h"
 #include "scene/space.h"
-#include "shading/length_scale.h"
-#include "shading/needs.h"
+#include "shading/prepared_object.h"
 
 #include <glad/gl.h>
 #include <glm/gtc/type_ptr.hpp>
-#include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
 
 #include <chrono>
 #include <cmath>
 
 namespace sandbox {
 namespace {
-
-VertexLayout vertex_layout(const Features &f) {
-    const bool flat = f.frequency == Frequency::flat;
-    if (f.program == Program::full) {
-        return {flat, true, true, flat};
-    }
-    const ProgramNeeds needs = derive_needs(f);
-    const bool lit_flat = flat && needs.vertex.lit;
-    return {lit_flat, needs.vertex.N, f.base == Base::texture, lit_flat && needs.vertex.P};
-}
 
 Texture upload_texture(const Image &image) {
     Texture texture = make_texture();
@@ -43,18 +30,11 @@ Texture upload_texture(const Image &image) {
                  bottom_first.data());
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    check_gl("upload a texture");
     return texture;
 }
 
 void clear(const Scene &scene, const Target &target) {
-    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
-    glViewport(0, 0, target.size().width, target.size().height);
-    glDisable(GL_BLEND);
-    glDisable(GL_SCISSOR_TEST);
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);
-    glDepthMask(GL_TRUE);
-    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     const glm::vec4 background(scene.background, 1);
     constexpr float far_depth = 1;
     glClearBufferfv(GL_COLOR, 0, glm::value_ptr(background));
@@ -65,12 +45,20 @@ void clear(const Scene &scene, const Target &target) {
     }
 }
 
-/// The surfaces' depth, a little nearer.
-void put_lifted_depth(const GlProgram &program, const Camera &camera, double scale, int picture_height) {
-    const LogDepth depth = log_depth(camera, scale);
-    const double lift = depth.per_octave * std::log2(1 + line_lift(camera, picture_height));
-    program.set("depth_per_octave", static_cast<float>(depth.per_octave));
-    program.set("depth_at_1", static_cast<float>(depth.at_1 - lift));
+/// The surfaces' depth, nearer by the share of its distance that keeps a wireframe's line in front of the surface it
+/// lies on: the line's pixels lie up to half a pixel beside it, where a surface seen at up to 86 degrees from its
+/// normal is nearer by tan(86 degrees) = 14 times that.
+void put_lifted_depth(const GlProgram &program, const EyeSpace &space, const Camera &camera, int picture_height) {
+    const double half_pixel = std::tan(glm::radians(camera.fov_y_degrees) / 2) / picture_height; // at a distance of 1
+    const double lift = space.depth_per_octave * std::log2(1 + 14 * half_pixel);
+    program.set("depth_per_octave", static_cast<float>(space.depth_per_octave));
+    program.set("depth_at_1", static_cast<float>(space.depth_at_1 - lift));
+}
+
+/// Skips back faces where they cannot be seen; a mirrored object's front faces run clockwise.
+void set_culling(const Camera &camera, const Object &object, const Mesh &mesh, double aspect) {
+    glFrontFace(is_mirrored(object.transform) ? GL_CW : GL_CCW);
+    (back_faces_hidden(camera, aspect, object.transform, mesh) ? glEnable : glDisable)(GL_CULL_FACE);
 }
 
 double aspect_of(const Target &target) {
@@ -99,36 +87,34 @@ struct Renderer::Impl {
         std::erase_if(textures, [](const auto &entry) { return entry.first.use_count() <= 1; });
     }
 
-    void draw_object(const DrawInput &input, const ObjectResources &own, const Target &target, bool deep,
-                     bool guarded) {
-        const Features needed =
-            derive_features(input.scene, input.technique, input.object, *own.mesh, target.has_object_ids(), deep);
-        const Features features = guarded ? needed : without_guards(needed);
-        require_drawable(features, input.scene, input.technique, input.object);
-        const GlProgram &program = programs.get(features);
+    void draw_object(const ObjectDraw &draw, const ObjectResources &own) {
+        require_drawable(draw.prepared.features, draw.object);
+        const GlProgram &program = programs.get(draw.prepared.program);
         glUseProgram(program.id());
-        upload_uniforms(program, input);
+        upload_uniforms(program, draw);
         if (own.texture != nullptr && program.has("base_texture")) {
             glActiveTexture(GL_TEXTURE0);
             glBindTexture(GL_TEXTURE_2D, texture(own.texture));
         }
-        set_culling(input.scene.camera, input.object, *own.mesh, input.aspect());
-        buffers(own.mesh).draw(vertex_layout(features));
+        set_culling(draw.scene.camera, draw.object, draw.mesh, draw.aspect());
+        buffers(own.mesh).draw(draw.prepared.needs.attributes);
     }
 
     void draw(const Scene &scene, const Technique &technique, Target &target, bool guarded) {
         const auto loaded = resources.load(scene);
         const bool deep = is_deep(scene, loaded);
+        const auto prepared = prepare_objects(
+            scene, technique, loaded, {.object_ids = target.has_object_ids(), .deep = deep, .guarded = guarded});
+        const PassState pass(target.framebuffer(), target.size(), DepthTest::on);
         clear(scene, target);
-        (deep ? glEnable : glDisable)(GL_DEPTH_CLAMP); // deep programs clip by near and far themselves
-        for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-            const DrawInput input{scene,           technique,     scene.objects[i],
-                                  *loaded[i].mesh, target.size(), static_cast<unsigned>(i + 1)};
-            draw_object(input, loaded[i], target, deep, guarded);
+        if (deep) {
+            glEnable(GL_DEPTH_CLAMP); // deep programs clip by near and far themselves
         }
-        glDisable(GL_DEPTH_CLAMP);
-        glDisable(GL_CULL_FACE);
-        glFrontFace(GL_CCW);
+        for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+            draw_object(
+                {scene, scene.objects[i], *loaded[i].mesh, prepared[i], target.size(), static_cast<unsigned>(i + 1)},
+                loaded[i]);
+        }
         forget_unused();
     }
 
@@ -171,9 +157,7 @@ void Renderer::draw_wireframe(const Scene &scene, Target &target, glm::vec3 colo
     const auto resources = impl_->resources.load(scene);
     const bool deep = is_deep(scene, resources);
     const GlProgram &program = impl_->programs.wireframe(deep);
-    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
-    glViewport(0, 0, target.size().width, target.size().height);
-    glEnable(GL_DEPTH_TEST);
+    const PassState pass(target.framebuffer(), target.size(), DepthTest::on);
     glDepthFunc(GL_LEQUAL);
     glEnable(GL_POLYGON_OFFSET_LINE); // no use where the program writes the depth: it lifts the lines itself
     glPolygonOffset(-1, -4);
@@ -183,17 +167,13 @@ void Renderer::draw_wireframe(const Scene &scene, Target &target, glm::vec3 colo
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object &object = scene.objects[i];
         set_culling(scene.camera, object, *resources[i].mesh, aspect_of(target));
-        const Placing placing = place_object(scene, object, *resources[i].mesh);
-        program.set("model_view_projection", glm::mat4(model_view_projection(scene, placing, aspect_of(target))));
+        const EyeSpace space = eye_space(scene, object, *resources[i].mesh);
+        program.set("model_view_projection", glm::mat4(model_view_projection(scene, space, aspect_of(target))));
         if (deep) {
-            put_lifted_depth(program, scene.camera, placing.scale, target.size().height);
+            put_lifted_depth(program, space, scene.camera, target.size().height);
         }
         impl_->buffers(resources[i].mesh).draw({});
     }
-    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-    glDisable(GL_POLYGON_OFFSET_LINE);
-    glDisable(GL_CULL_FACE);
-    glFrontFace(GL_CCW);
 }
 
 bool Renderer::reload_changed_parts() {

@@ -1,26 +1,27 @@
 #pragma once
 
 #include "image/image.h"
-#include "render/gl_program.h"
-#include "scene/mesh.h"
-#include "scene/scene.h"
-#include "shading/features.h"
+#include "render/uploader.h"
+#include "shading/prepared_object.h"
 
 namespace sandbox {
 
-/// What one draw of one object uploads. Positions are relative to the eye, computed in double.
-struct DrawInput {
+/// One draw of one object.
+struct ObjectDraw {
     const Scene &scene;
-    const Technique &technique;
     const Object &object;
     const Mesh &mesh;
+    const PreparedObject &prepared;
     Size size;          ///< of the picture
     unsigned object_id; ///< index + 1
 
     [[nodiscard]] double aspect() const { return static_cast<double>(size.width) / static_cast<double>(size.height); }
 };
 
+/// What a full program branches on.
+void put_choices(Uploader &uploader, const Features &object);
+
 /// Sets every active uniform of `program`, which is in use. Throws std::logic_error if one stays unset.
-void upload_uniforms(const GlProgram &program, const DrawInput &input);
+void upload_uniforms(const GlProgram &program, const ObjectDraw &draw);
 
 } // namespace sandbox

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "render/gl_program.h"
-#include "render/light_values.h"
 
+#include <fmt/format.h>
 #include <string>
 
 namespace sandbox {
@@ -28,8 +28,8 @@ class Uploader {
 
     void require_all_set() const {
         if (count_ != program_.uniforms().size()) {
-            throw std::logic_error("the program has " + std::to_string(program_.uniforms().size()) +
-                                   " active uniforms, " + std::to_string(count_) + " were set");
+            throw std::logic_error(
+                fmt::format("the program has {} active uniforms, {} were set", program_.uniforms().size(), count_));
         }
     }
 
@@ -37,8 +37,5 @@ class Uploader {
     const GlProgram &program_;
     std::size_t count_ = 0;
 };
-
-/// All of one light's members, below `name` ("point_lights[0]").
-void put_light(Uploader &uploader, const std::string &name, const LightValues &light);
 
 } // namespace sandbox

@@ -30,12 +30,12 @@ struct Light {
     double diffuse = 1;
     double specular = 1;
     bool attenuate_ambient = false;
-    glm::dvec3 position{0};           ///< point, spot
-    glm::dvec3 direction{0, -1, 0};   ///< directional, spot: the way light travels; not necessarily unit
-    Attenuation attenuation;          ///< point, spot
-    double cutoff_degrees = 30;       ///< spot: half angle of the cone, [0, 90], or 180: no cone
-    double inner_cutoff_degrees = 30; ///< spot: <= cutoff_degrees; equal: a hard edge
-    double exponent = 0;              ///< spot
+    glm::dvec3 position{0};           ///< of a positional light (light_kind.h)
+    glm::dvec3 direction{0, -1, 0};   ///< the way light travels; not necessarily unit
+    Attenuation attenuation;          ///< of a positional light
+    double cutoff_degrees = 30;       ///< half angle of a spot's cone, [0, 90], or 180: no cone
+    double inner_cutoff_degrees = 30; ///< <= cutoff_degrees; equal: a hard edge
+    double exponent = 0;              ///< of the cone
     bool operator==(const Light &) const = default;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "scene/light_kind.h"
 #include "scene/scene.h"
 
 #include <algorithm>
@@ -99,26 +100,6 @@ constexpr Field<T, M> control(std::string_view key, M T::*member, Range range, s
                               Rules<T> rules = {}) {
     rules.label = rules.label.empty() ? key : rules.label;
     return {key, member, range, doc, rules, true};
-}
-
-/// The words of an enumeration in the file.
-struct LightWord {
-    LightType type;
-    std::string_view word;
-};
-constexpr LightWord light_words[] = {
-    {LightType::directional, "directional"}, {LightType::point, "point"}, {LightType::spot, "spot"}};
-constexpr std::string_view word_of(LightType type) {
-    return std::ranges::find(light_words, type, &LightWord::type)->word;
-}
-
-constexpr bool has_position(const Light &light) { return light.type != LightType::directional; }
-constexpr bool has_direction(const Light &light) { return light.type != LightType::point; }
-/// 180 degrees: no cone.
-constexpr bool has_cone(const Light &light) { return light.type == LightType::spot && light.cutoff_degrees != 180; }
-/// A spot light without its cone shines like a point light.
-constexpr bool uses_direction(const Light &light) {
-    return has_direction(light) && (!has_position(light) || has_cone(light));
 }
 
 constexpr bool has_checker(const Material &material) { return material.checker.has_value(); }

@@ -109,8 +109,8 @@ class Reader {
 
     static std::string light_type_list() {
         std::string list;
-        for (const LightWord &word : light_words) {
-            list += fmt::format("{}\"{}\"", list.empty() ? "one of " : ", ", word.word);
+        for (const LightKind &kind : light_kinds) {
+            list += fmt::format("{}\"{}\"", list.empty() ? "one of " : ", ", kind.word);
         }
         return list;
     }
@@ -136,9 +136,9 @@ class Reader {
         out = json.get<std::string>();
     }
     void read(const Json &json, const std::string &path, const Range &, LightType &out) const {
-        const auto *word = std::ranges::find_if(light_words, [&](const LightWord &w) { return json == w.word; });
-        expect(word != std::end(light_words), path, light_type_list(), json);
-        out = word->type;
+        const auto *kind = std::ranges::find_if(light_kinds, [&](const LightKind &k) { return json == k.word; });
+        expect(kind != light_kinds.end(), path, light_type_list(), json);
+        out = kind->type;
     }
     template <int N>
     void read(const Json &json, const std::string &path, const Range &range, glm::vec<N, double> &out) const {

@@ -46,8 +46,8 @@ OrderedJson type_of(bool value, const Range &) { return {{"type", "boolean"}, {"
 OrderedJson type_of(const std::string &, const Range &) { return {{"type", "string"}}; }
 OrderedJson type_of(LightType, const Range &) {
     OrderedJson words = OrderedJson::array();
-    for (const LightWord &word : light_words) {
-        words.push_back(std::string(word.word));
+    for (const LightKind &kind : light_kinds) {
+        words.push_back(std::string(kind.word));
     }
     return {{"enum", words}};
 }
@@ -107,10 +107,10 @@ OrderedJson light_schema() {
     OrderedJson json = object_schema<Light>();
     json["properties"]["inner_cutoff_degrees"].erase("default");
     json["required"] = OrderedJson::array({"type"});
-    for (const LightWord &word : light_words) {
+    for (const LightKind &kind : light_kinds) {
         Light light;
-        light.type = word.type;
-        json["allOf"].push_back({{"if", {{"properties", {{"type", {{"const", std::string(word.word)}}}}}}},
+        light.type = kind.type;
+        json["allOf"].push_back({{"if", {{"properties", {{"type", {{"const", std::string(kind.word)}}}}}}},
                                  {"then", {{"required", required_keys(light)}}}});
     }
     return json;

@@ -41,7 +41,7 @@ class Writer {
     }
 
     template <class T> static OrderedJson write(const T &value) { return value; }
-    static OrderedJson write(LightType value) { return std::string(word_of(value)); }
+    static OrderedJson write(LightType value) { return std::string(kind_of(value).word); }
     template <int N> static OrderedJson write(const glm::vec<N, double> &value) {
         OrderedJson json = OrderedJson::array();
         for (int i = 0; i < N; ++i) {

@@ -1,19 +1,18 @@
 #include "shading/needs.h"
 
 #include "image/error.h"
-
-#include <string>
+#include "shading/program_source.h"
 
 namespace sandbox {
 namespace {
 
-bool lights_vertices(const Features &f) {
-    return f.frequency == Frequency::flat || f.frequency == Frequency::per_vertex || f.frequency == Frequency::hybrid;
+bool lights_vertices(Frequency frequency) {
+    return frequency == Frequency::flat || frequency == Frequency::per_vertex || frequency == Frequency::hybrid;
 }
 
 /// `vectors`: this stage is handed L, H or R and the distance instead of finding them from P.
-LightNeeds light_needs(const Features &f, const LightFeatures &light, const StageNeeds &stage, Stage which,
-                       bool positional, bool vectors) {
+LightNeeds light_needs(const Features &f, const LightKind &kind, const StageNeeds &stage, Stage which, bool vectors) {
+    const LightFeatures &light = f.lights[kind.type];
     LightNeeds n;
     n.adds_ambient = stage.ambient && light.ambient;
     n.adds_attenuated_ambient = stage.ambient && light.attenuated_ambient;
@@ -23,85 +22,85 @@ LightNeeds light_needs(const Features &f, const LightFeatures &light, const Stag
     if (!n.any) {
         return n;
     }
+    const Technique &technique = f.technique;
     const bool fading_terms = n.adds_attenuated_ambient || n.adds_diffuse || n.adds_specular;
-    const bool cone = light.hard_cone || light.soft_cone;
     const bool reflects = n.adds_specular && f.exponent != Exponent::zero;
-    const bool own_half = reflects && f.model == Model::blinn_phong && !light.given_half_vector;
-    const bool mirrors = reflects && f.model == Model::phong;
+    const bool own_half = reflects && f.uses_half_vector() && !light.given_half_vector;
+    const bool mirrors = reflects && f.mirrors_view();
     n.given_H = vectors && own_half;
     n.given_R = vectors && mirrors;
-    n.uses_cone = cone && fading_terms;
-    n.fades = fading_terms && (light.attenuated() || cone);
-    n.uses_n_dot_l = n.adds_diffuse || ((n.adds_ambient || n.adds_attenuated_ambient) && f.where_lit) ||
-                     (n.adds_specular && f.gate == Gate::light_facing);
+    n.uses_cone = light.cone() && fading_terms;
+    n.fades = fading_terms && (light.attenuated() || light.cone());
+    n.uses_n_dot_l = n.adds_diffuse || (n.adds_specular && technique.gate == Gate::light_facing) ||
+                     ((n.adds_ambient || n.adds_attenuated_ambient) && technique.ambient == AmbientWhere::where_lit);
     n.uses_L = n.uses_n_dot_l || n.uses_cone || (!vectors && (own_half || mirrors));
-    n.given_L = n.uses_L && positional && vectors;
-    n.finds_L = n.uses_L && positional && !vectors;
+    n.given_L = n.uses_L && kind.positional && vectors;
+    n.finds_L = n.uses_L && kind.positional && !vectors;
     const bool attenuation = fading_terms && light.attenuated();
     const bool varying = which == Stage::fragment;
-    n.given_attenuation = attenuation && varying && f.attenuation == AttenuationAt::interpolated;
+    n.given_attenuation = attenuation && varying && technique.attenuation == AttenuationAt::interpolated;
     n.finds_attenuation = attenuation && !n.given_attenuation;
     n.given_distance =
-        n.finds_attenuation && varying && (vectors || f.attenuation == AttenuationAt::distance_interpolated);
+        n.finds_attenuation && varying && (vectors || technique.attenuation == AttenuationAt::distance_interpolated);
     n.finds_distance = n.finds_attenuation && !n.given_distance;
     n.uses_R = mirrors && !vectors;
-    n.uses_V = (n.adds_specular && f.gate == Gate::view_facing) || (own_half && !vectors) || (mirrors && vectors);
-    n.uses_N = n.uses_n_dot_l || (reflects && f.model == Model::blinn_phong) ||
-               (n.adds_specular && f.gate == Gate::view_facing) || (n.finds_L && light.on_surface);
+    const bool asks_whether_seen = n.adds_specular && technique.gate == Gate::view_facing;
+    n.uses_V = asks_whether_seen || (own_half && !vectors) || (mirrors && vectors);
+    n.uses_N =
+        n.uses_n_dot_l || (reflects && f.uses_half_vector()) || asks_whether_seen || (n.finds_L && light.on_surface);
     return n;
 }
 
 void derive_stage(StageNeeds &stage, const Features &f, Stage which, bool vectors) {
-    stage.directional = light_needs(f, f.directional, stage, which, false, vectors);
-    stage.point = light_needs(f, f.point, stage, which, true, vectors);
-    stage.spot = light_needs(f, f.spot, stage, which, true, vectors);
-    for (const LightNeeds *light : {&stage.directional, &stage.point, &stage.spot}) {
-        stage.lit |= light->any;
-        stage.N |= light->uses_N;
-        stage.V |= light->uses_V || light->uses_R;
-        stage.R |= light->uses_R;
-        stage.N |= light->uses_R;
-        stage.P |= light->finds_L || light->finds_distance;
+    bool ambient = false;
+    bool diffuse = false;
+    bool specular = false;
+    for (const LightKind &kind : light_kinds) {
+        const LightNeeds light = light_needs(f, kind, stage, which, vectors);
+        stage.lights[kind.type] = light;
+        stage.lit |= light.any;
+        stage.P |= light.uses_P();
+        stage.N |= light.uses_N || light.uses_R;
+        stage.V |= light.uses_V || light.uses_R;
+        stage.R |= light.uses_R;
+        ambient |= light.adds_ambient || light.adds_attenuated_ambient;
+        diffuse |= light.adds_diffuse;
+        specular |= light.adds_specular;
     }
-    stage.ambient = stage.directional.adds_ambient || stage.point.adds_ambient || stage.spot.adds_ambient ||
-                    stage.directional.adds_attenuated_ambient || stage.point.adds_attenuated_ambient ||
-                    stage.spot.adds_attenuated_ambient;
-    stage.diffuse = stage.directional.adds_diffuse || stage.point.adds_diffuse || stage.spot.adds_diffuse;
-    stage.specular = stage.directional.adds_specular || stage.point.adds_specular || stage.spot.adds_specular;
+    stage.ambient = ambient;
+    stage.diffuse = diffuse;
+    stage.specular = specular;
     stage.separate_specular =
-        stage.specular && f.base != Base::none && !f.base_times_specular && f.frequency != Frequency::hybrid;
+        specular && f.has_base() && !f.base_times_specular && f.technique.frequency != Frequency::hybrid;
     stage.V |= stage.N && f.two_sided;
-    stage.P |= stage.V && f.viewer == Viewer::local && !vectors;
+    stage.P |= stage.V && f.technique.viewer == Viewer::local && !vectors;
 }
 
 /// What the vertex stage must find for what the fragment stage is handed.
 void pass_on(ProgramNeeds &needs, const Features &f) {
     StageNeeds &vertex = needs.vertex;
     const StageNeeds &fragment = needs.fragment;
+    const bool local = f.technique.viewer == Viewer::local;
     vertex.P |= fragment.P && !f.wide;
     vertex.N |= fragment.N;
-    if (needs.vectors && fragment.V && f.viewer == Viewer::local) {
-        vertex.V = true;
-    }
-    const auto hand = [&](const LightNeeds &light, const LightFeatures &features, bool positional) {
+    vertex.V |= needs.vectors && fragment.V && local;
+    for (const LightKind &kind : light_kinds) {
+        const LightNeeds &light = fragment.lights[kind.type];
         vertex.P |= light.given_distance || light.given_attenuation ||
-                    (positional && (light.given_L || light.given_H || light.given_R));
-        vertex.N |= light.given_R || light.given_H || (light.given_L && features.on_surface);
+                    (kind.positional && (light.given_L || light.given_H || light.given_R));
+        vertex.N |= light.given_R || light.given_H || (light.given_L && f.lights[kind.type].on_surface);
         vertex.V |= light.given_H;
-    };
-    hand(fragment.directional, f.directional, false);
-    hand(fragment.point, f.point, true);
-    hand(fragment.spot, f.spot, true);
-    vertex.P |= vertex.V && f.viewer == Viewer::local;
+    }
+    vertex.P |= vertex.V && local;
 }
 
 } // namespace
 
 ProgramNeeds derive_needs(const Features &f) {
     ProgramNeeds needs;
-    const bool at_vertices = lights_vertices(f);
-    const bool hybrid = f.frequency == Frequency::hybrid;
-    needs.vectors = f.frequency == Frequency::interpolated_vectors;
+    const bool at_vertices = lights_vertices(f.technique.frequency);
+    const bool hybrid = f.technique.frequency == Frequency::hybrid;
+    needs.vectors = f.technique.frequency == Frequency::interpolated_vectors;
     needs.vertex.ambient = needs.vertex.diffuse = at_vertices;
     needs.vertex.specular = at_vertices && !hybrid;
     needs.fragment.ambient = needs.fragment.diffuse = !at_vertices;
@@ -111,44 +110,45 @@ ProgramNeeds derive_needs(const Features &f) {
     needs.vertex.constant_ambient = f.ambient && needs.vertex.lit;
     needs.fragment.constant_ambient = f.ambient && !needs.vertex.lit;
     pass_on(needs, f);
+    const bool flat = f.technique.frequency == Frequency::flat && needs.vertex.lit;
+    needs.attributes = {.flat = flat, .normal = needs.vertex.N, .uv = f.textured, .centroid = flat && needs.vertex.P};
     return needs;
 }
 
 int varying_components(const Features &f) {
-    if (f.program == Program::full) {
-        return f.frequency == Frequency::interpolated_vectors ? max_varying_components : 17;
-    }
     const ProgramNeeds needs = derive_needs(f);
     const StageNeeds &fragment = needs.fragment;
     int vectors = int(needs.vertex.lit) + int(needs.vertex.separate_specular) + int(fragment.P && !f.wide) +
-                  int(fragment.N) + int(needs.vectors && fragment.V && f.viewer == Viewer::local) +
-                  int(f.base == Base::checker);
-    int scalars = f.base == Base::texture ? 2 : 0;
-    const auto add = [&](const LightNeeds &light, const LightFeatures &features) {
-        vectors += features.count * (int(light.given_L) + int(light.given_H) + int(light.given_R));
-        scalars += features.count * (int(light.given_distance) + int(light.given_attenuation));
-    };
-    add(fragment.directional, f.directional);
-    add(fragment.point, f.point);
-    add(fragment.spot, f.spot);
+                  int(fragment.N) + int(needs.vectors && fragment.V && f.technique.viewer == Viewer::local) +
+                  int(f.chequered);
+    int scalars = f.textured ? 2 : 0;
+    for (const LightKind &kind : light_kinds) {
+        const LightNeeds &light = fragment.lights[kind.type];
+        const int count = f.lights[kind.type].count;
+        vectors += count * (int(light.given_L) + int(light.given_H) + int(light.given_R));
+        scalars += count * (int(light.given_distance) + int(light.given_attenuation));
+    }
     return 3 * vectors + scalars;
 }
 
-void require_drawable(const Features &features, const Scene &scene, const Technique &technique, const Object &object) {
-    const int needed = varying_components(features);
-    if (needed > max_varying_components) {
-        throw InputError("object '" + object.name + "': this technique needs " + std::to_string(needed) +
-                         " components between the shader stages for its lights; OpenGL 3.3 guarantees " +
-                         std::to_string(max_varying_components) + ": use fewer lights or another frequency");
-    }
-    if (features.program == Program::full && features.frequency == Frequency::interpolated_vectors) {
-        const ContributingLights lights = contributing_lights(scene, technique, object);
-        const std::size_t count = lights.directional.size() + lights.point.size() + lights.spot.size();
-        if (count > full_program_max_vector_lights) {
-            throw InputError("object '" + object.name + "': interpolated-vectors with program=full carries at most " +
-                             std::to_string(full_program_max_vector_lights) + " lights, this scene has " +
-                             std::to_string(count) + ": use program=specialised or another frequency");
+void require_drawable(const Features &f, const Object &object) {
+    if (f.is_full()) {
+        int count = 0;
+        for (const LightFeatures &light : f.lights) {
+            count += light.count;
         }
+        if (const int most = full_program_capacity(f.technique.frequency); count > most) {
+            throw InputError("object '{}': interpolated-vectors with program=full carries at most {} "
+                             "lights, this scene has {}: use program=specialised or another frequency",
+                             object.name, most, count);
+        }
+        return;
+    }
+    const int needed = varying_components(f);
+    if (needed > max_varying_components) {
+        throw InputError("object '{}': this technique needs {} components between the shader stages for "
+                         "its lights; OpenGL 3.3 guarantees {}: use fewer lights or another frequency",
+                         object.name, needed, max_varying_components);
     }
 }
 

@@ -19,14 +19,14 @@ std::map<std::string, std::string, std::less<>> read_parts(const Assets &assets)
 
 ShaderParts::ShaderParts(Assets shaders) : assets_(std::move(shaders)), texts_(read_parts(assets_)) {
     if (texts_.empty()) {
-        throw InputError("--shaders " + assets_.folder().string() + ": expected .glsl files, found none");
+        throw InputError("--shaders {}: expected .glsl files, found none", assets_.folder().string());
     }
 }
 
 const std::string &ShaderParts::text(std::string_view part) const {
     const auto found = texts_.find(part);
     if (found == texts_.end()) {
-        throw InputError("shaders: no part '" + std::string(part) + "'");
+        throw InputError("shaders: no part '{}'", part);
     }
     return found->second;
 }

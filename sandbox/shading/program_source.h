@@ -1,7 +1,5 @@
 #pragma once
 
-#include "scene/mesh.h"
-#include "scene/scene.h"
 #include "shading/features.h"
 #include "shading/parts.h"
 
@@ -23,13 +21,13 @@ struct StageSource {
     std::vector<LineOrigin> origins; ///< one per line of text
 };
 
-/// Two GLSL 3.30 texts that hold what the features need and nothing else.
+/// Two GLSL 3.30 texts that hold what the features say and nothing else.
 struct ProgramSource {
     StageSource vertex, fragment;
 };
 
-/// Pure: equal features and parts give equal text.
-ProgramSource assemble(const Features &features, const ShaderParts &parts);
+/// Pure: equal features and parts give equal text. `program`: see program_features().
+ProgramSource assemble(const Features &program, const ShaderParts &parts);
 
 /// A compiler log with its line numbers replaced by "part:line" (Mesa's, NVIDIA's and Intel's formats).
 std::string map_log(const std::string &log, const StageSource &source);

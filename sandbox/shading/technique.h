@@ -3,6 +3,7 @@
 #include "shading/technique_rules.h"
 
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -13,7 +14,8 @@
 /// How a scene is lit. Written `per-pixel/blinn-phong:power=stable`; the first value of every key is the default, and
 /// right; the others are faults (each from a source document or a well-known bug) or variants.
 ///
-/// The table below is all that parsing, validation, help, the window and the full program's uniforms know of a key.
+/// The table below is all that parsing, validation, help, the window and the programs know of a key: a value is the
+/// flag key_value ("gate_none") of the shader parts and, in the full program, a uniform of that name.
 /// A new value is an enumerator and the row beside it.
 namespace sandbox {
 
@@ -63,6 +65,7 @@ constexpr Reflection reflection(Model model) {
     constexpr Reflection rows[]{{false, false, false}, {true, false, false}, {true, true, true}};
     return rows[static_cast<int>(model)];
 }
+constexpr bool mirrors_view(Model model) { return reflection(model).specular && !reflection(model).half_vector; }
 
 enum class Normals { inverse_transpose, model_matrix, untransformed };
 inline constexpr TechniqueValue normals_values[]{
@@ -157,7 +160,7 @@ struct Technique {
     AttenuationAt attenuation = AttenuationAt::exact;
     Power power = Power::automatic;
     Program program = Program::specialised;
-    bool operator==(const Technique &) const = default;
+    auto operator<=>(const Technique &) const = default; // NOLINT(modernize-use-nullptr): version 14 errs
 };
 
 struct TechniqueKey {
@@ -169,7 +172,6 @@ struct TechniqueKey {
     std::span<const TechniqueValue> values; ///< the first is the default
     int (*get)(const Technique &);          ///< index of its value
     void (*set)(Technique &, int);
-    std::string_view uniform; ///< the int of the full program that holds the index; empty: it has none
 
     [[nodiscard]] bool is_fault() const { return kind == Kind::fault; }
     [[nodiscard]] const TechniqueValue &value(const Technique &technique) const {
@@ -179,8 +181,7 @@ struct TechniqueKey {
 
 template <auto Member>
 constexpr TechniqueKey technique_key(TechniqueKey::Kind kind, std::string_view name, std::string_view title,
-                                     std::string_view doc, std::span<const TechniqueValue> values,
-                                     std::string_view uniform = {}) {
+                                     std::string_view doc, std::span<const TechniqueValue> values) {
     using Value = std::remove_cvref_t<decltype(Technique{}.*Member)>;
     return {name,
             title,
@@ -188,8 +189,7 @@ constexpr TechniqueKey technique_key(TechniqueKey::Kind kind, std::string_view n
             kind,
             values,
             [](const Technique &technique) { return static_cast<int>(technique.*Member); },
-            [](Technique &technique, int value) { technique.*Member = static_cast<Value>(value); },
-            uniform};
+            [](Technique &technique, int value) { technique.*Member = static_cast<Value>(value); }};
 }
 template <auto Member> constexpr TechniqueKey choice_key(const auto &...row) {
     return technique_key<Member>(TechniqueKey::Kind::choice, row...);
@@ -204,26 +204,22 @@ template <auto Member> constexpr TechniqueKey variant_key(const auto &...row) {
 inline constexpr TechniqueKey frequency_key = choice_key<&Technique::frequency>(
     "frequency", "frequency", "where the lighting equation is evaluated", frequency_values);
 inline constexpr TechniqueKey model_key =
-    choice_key<&Technique::model>("model", "model", "the reflection model", model_values, "model_kind");
+    choice_key<&Technique::model>("model", "model", "the reflection model", model_values);
 /// The keys that are written key=value, in the interface's order.
 inline constexpr TechniqueKey technique_settings[]{
     fault_key<&Technique::normals>("normals", "normals", "how normals go to world space", normals_values),
     fault_key<&Technique::renormalize>("renormalize", "renormalize",
-                                       "make the interpolated normal unit again per pixel", renormalize_values,
-                                       "renormalize_off"),
-    fault_key<&Technique::position>("position", "position", "where lighting takes the surface to be", position_values,
-                                    "position_w0"),
-    fault_key<&Technique::gate>("gate", "specular gate", "where specular light is allowed", gate_values, "gate"),
-    fault_key<&Technique::viewer>("viewer", "viewer", "the direction to the viewer", viewer_values, "viewer_infinite"),
-    fault_key<&Technique::half_vector>("half_vector", "half vector", "the half vector of a light", half_vector_values,
-                                       "half_vector_constant"),
-    fault_key<&Technique::ambient>("ambient", "ambient", "where a light's ambient term is added", ambient_values,
-                                   "ambient_where_lit"),
+                                       "make the interpolated normal unit again per pixel", renormalize_values),
+    fault_key<&Technique::position>("position", "position", "where lighting takes the surface to be", position_values),
+    fault_key<&Technique::gate>("gate", "specular gate", "where specular light is allowed", gate_values),
+    fault_key<&Technique::viewer>("viewer", "viewer", "the direction to the viewer", viewer_values),
+    fault_key<&Technique::half_vector>("half_vector", "half vector", "the half vector of a light", half_vector_values),
+    fault_key<&Technique::ambient>("ambient", "ambient", "where a light's ambient term is added", ambient_values),
     fault_key<&Technique::direction>("direction", "light direction", "the sign of a directional light's direction",
-                                     direction_values, "unnegated_diffuse"),
+                                     direction_values),
     fault_key<&Technique::attenuation>("attenuation", "attenuation", "where attenuation is computed",
                                        attenuation_values),
-    variant_key<&Technique::power>("power", "power", "how f^n is computed in float32", power_values, "power_kind"),
+    variant_key<&Technique::power>("power", "power", "how f^n is computed in float32", power_values),
     variant_key<&Technique::program>("program", "program", "the GLSL program", program_values),
 };
 

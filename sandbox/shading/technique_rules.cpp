@@ -13,29 +13,15 @@ bool lights_pixels(const Technique &t) {
            (t.frequency == Frequency::hybrid && reflection(t.model).specular);
 }
 
-/// The terms of one light on one object that no factor makes 0.
-struct Terms {
-    bool ambient = false, diffuse = false, specular = false;
-};
-
-Terms terms_of(const Light &light, const Object &object, const Technique &technique) {
-    const auto shines = [&](double intensity, const glm::dvec3 &color) {
-        return light.enabled && intensity != 0 && light.color * color != glm::dvec3(0);
-    };
-    const Material &material = object.material;
-    return {shines(light.ambient, material.ambient), shines(light.diffuse, material.diffuse),
-            reflection(technique.model).specular && shines(light.specular, material.specular)};
-}
-
 /// Does any light of the scene satisfy `asks(light, its terms on the object)`?
 bool any_light(const Scene &scene, const Object &object, const Technique &technique, const auto &asks) {
-    return std::ranges::any_of(scene.lights,
-                               [&](const Light &light) { return asks(light, terms_of(light, object, technique)); });
+    return std::ranges::any_of(
+        scene.lights, [&](const Light &light) { return asks(light, terms_on(object, light, technique.model)); });
 }
 
 bool reads_normals(const Scene &scene, const Object &object, const Technique &technique) {
     const bool where_lit = technique.ambient == AmbientWhere::where_lit;
-    return any_light(scene, object, technique, [&](const Light &, const Terms &terms) {
+    return any_light(scene, object, technique, [&](const Light &, const ShiningTerms &terms) {
         return terms.diffuse || terms.specular || (terms.ambient && where_lit);
     });
 }
@@ -43,8 +29,8 @@ bool reads_normals(const Scene &scene, const Object &object, const Technique &te
 /// Is some exponent of the object's highlights or of a cone that reaches it in (0, infinity) and as asked?
 bool raises(const Scene &scene, const Object &object, const Technique &technique, bool (*asked)(double)) {
     const double n = raised_exponent(scene, technique.model, object.material);
-    return any_light(scene, object, technique, [&](const Light &light, const Terms &terms) {
-        const bool cone = light.type == LightType::spot && light.cutoff_degrees != 180;
+    return any_light(scene, object, technique, [&](const Light &light, const ShiningTerms &terms) {
+        const bool cone = has_cone(light);
         const bool fades = terms.diffuse || terms.specular || (terms.ambient && light.attenuate_ambient);
         return (terms.specular && n != 1 && asked(n)) || (cone && fades && asked(light.exponent));
     });
@@ -80,16 +66,16 @@ std::string_view needs_exact_distances(const Technique &technique) {
 }
 
 bool has_specular(const Scene &scene, const Object &object, const Technique &technique) {
-    return any_light(scene, object, technique, [](const Light &, const Terms &terms) { return terms.specular; });
+    return any_light(scene, object, technique, [](const Light &, const ShiningTerms &terms) { return terms.specular; });
 }
 
 bool has_light_ambient(const Scene &scene, const Object &object, const Technique &technique) {
-    return any_light(scene, object, technique, [](const Light &, const Terms &terms) { return terms.ambient; });
+    return any_light(scene, object, technique, [](const Light &, const ShiningTerms &terms) { return terms.ambient; });
 }
 
 bool has_directional_diffuse(const Scene &scene, const Object &object, const Technique &technique) {
-    return any_light(scene, object, technique, [](const Light &light, const Terms &terms) {
-        return terms.diffuse && light.type == LightType::directional;
+    return any_light(scene, object, technique, [](const Light &light, const ShiningTerms &terms) {
+        return terms.diffuse && !has_position(light);
     });
 }
 
@@ -118,10 +104,9 @@ bool reads_normals_per_pixel(const Scene &scene, const Object &object, const Tec
 
 bool reads_translation(const Scene &scene, const Object &object, const Technique &technique) {
     const bool where_lit = technique.ambient == AmbientWhere::where_lit;
-    const bool places_lights = any_light(scene, object, technique, [&](const Light &light, const Terms &terms) {
-        return light.type != LightType::directional &&
-               (terms.diffuse || terms.specular ||
-                (terms.ambient && (where_lit || (light.attenuate_ambient && fades(light)))));
+    const bool places_lights = any_light(scene, object, technique, [&](const Light &light, const ShiningTerms &terms) {
+        return has_position(light) && (terms.diffuse || terms.specular ||
+                                       (terms.ambient && (where_lit || (light.attenuate_ambient && fades(light)))));
     });
     return object.transform.translate != glm::dvec3(0) &&
            (places_lights || (technique.viewer == Viewer::local && reads_view(scene, object, technique)));
@@ -129,9 +114,9 @@ bool reads_translation(const Scene &scene, const Object &object, const Technique
 
 bool attenuates_per_pixel(const Scene &scene, const Object &object, const Technique &technique) {
     const bool all_terms = technique.frequency != Frequency::hybrid;
-    return any_light(scene, object, technique, [&](const Light &light, const Terms &terms) {
+    return any_light(scene, object, technique, [&](const Light &light, const ShiningTerms &terms) {
         const bool by_distance =
-            light.type != LightType::directional && (light.attenuation.linear != 0 || light.attenuation.quadratic != 0);
+            has_position(light) && (light.attenuation.linear != 0 || light.attenuation.quadratic != 0);
         const bool attenuated =
             terms.specular || (all_terms && (terms.diffuse || (terms.ambient && light.attenuate_ambient)));
         return by_distance && attenuated;

@@ -1,8 +1,9 @@
 #include "shading/template.h"
 
-#include <sstream>
+#include <algorithm>
+#include <fmt/format.h>
+#include <regex>
 #include <stdexcept>
-#include <vector>
 
 namespace sandbox {
 namespace {
@@ -15,150 +16,300 @@ std::string_view trim(std::string_view text) {
     return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
+std::vector<std::string_view> split(std::string_view text, std::string_view separator) {
+    std::vector<std::string_view> pieces;
+    while (!text.empty()) {
+        const auto end = std::min(text.find(separator), text.size());
+        pieces.push_back(text.substr(0, end));
+        text.remove_prefix(std::min(end + separator.size(), text.size()));
+    }
+    return pieces;
+}
+
+struct Line {
+    std::string text;
+    LineOrigin origin;
+};
+using Lines = std::vector<Line>;
+
+/// What is known of a condition while a program is assembled: that it is on, or an expression that decides, or neither.
+struct Condition {
+    bool on = false;
+    std::string glsl;
+};
+
+/// Lines under a condition that the running program decides; the last arm may have none.
+struct Arm {
+    std::string condition;
+    Lines lines;
+};
+
+/// "vec3 base" of "    vec3 base = ...", and where it stands; nothing if the line declares nothing.
+std::smatch declaration(const std::string &line) {
+    static const std::regex pattern(R"(^ *((float |vec3 )\w+) = )");
+    std::smatch match;
+    std::regex_search(line, match, pattern);
+    return match;
+}
+
+/// The declarations of variables that more than one arm declares: what follows the arms reads these.
+std::set<std::string> shared_declarations(const std::vector<Arm> &arms) {
+    std::set<std::string> seen;
+    std::set<std::string> shared;
+    for (const Arm &arm : arms) {
+        for (const Line &line : arm.lines) {
+            if (const std::smatch declared = declaration(line.text); !declared.empty()) {
+                (seen.insert(declared[1]).second ? seen : shared).insert(declared[1]);
+            }
+        }
+    }
+    return shared;
+}
+
+/// The arms as an `if` of GLSL, whose own lines come from where its first arm comes from.
+void add_run_time_branches(Lines &out, const std::vector<Arm> &arms) {
+    const Line first = arms.front().lines.front();
+    const std::string indent(std::min(first.text.find_first_not_of(' '), first.text.size()), ' ');
+    const auto add = [&](const std::string &text) { out.push_back({indent + text, first.origin}); };
+    const std::set<std::string> shared = shared_declarations(arms);
+    for (const std::string &declared : shared) {
+        add(declared + ";");
+    }
+    std::string begin;
+    for (const Arm &arm : arms) {
+        add(arm.condition.empty() ? begin + "{" : fmt::format("{}if ({}) {{", begin, arm.condition));
+        begin = "} else ";
+        for (Line line : arm.lines) {
+            const std::smatch declared = declaration(line.text);
+            if (!declared.empty() && shared.contains(declared[1])) {
+                line.text.erase(static_cast<std::size_t>(declared.position(2)),
+                                static_cast<std::size_t>(declared.length(2)));
+            }
+            out.push_back({line.text.empty() ? "" : "    " + line.text, line.origin});
+        }
+    }
+    add("}");
+}
+
+constexpr std::string_view choices_mark = "#choices";
+
 class Expander {
   public:
     Expander(const ShaderParts &parts, const TemplateValues &values) : parts_(parts), values_(values) {}
 
-    void expand(std::string_view part, const std::string &kind, int depth) {
-        if (depth > 8) {
-            throw std::logic_error(std::string(part) + ": parts include each other");
+    void expand(std::string_view name, Lines *out) {
+        if (depth_ > 8) {
+            throw std::logic_error(fmt::format("{}: parts include each other", name));
         }
-        std::vector<Branch> branches;
-        std::istringstream lines(parts_.text(part));
-        std::string line;
-        for (int number = 1; std::getline(lines, line); ++number) {
-            const Place place{part, kind, number};
-            const auto words = trim(line);
-            if (is_branch(words)) {
-                branch(words, branches, place);
-            } else if (branches.empty() || branches.back().active) {
-                words.starts_with("#include") ? include(words, place, depth) : emit(line, place);
-            }
-        }
-        if (!branches.empty()) {
-            throw std::logic_error(std::string(part) + ": #if without #endif");
+        Part part{name, split(parts_.text(name), "\n")};
+        ++depth_;
+        read(part, out);
+        --depth_;
+        if (!part.at_end()) {
+            fail(part, part.words() == "#end" ? "no #each before this" : "no #if before this");
         }
     }
-
-    StageSource take() { return std::move(result_); }
 
   private:
-    struct Place {
-        std::string_view part;
-        const std::string &kind;
-        int line;
+    /// A part's lines, and the one that is read next.
+    struct Part {
+        std::string_view name;
+        std::vector<std::string_view> lines;
+        std::size_t next = 0;
+
+        [[nodiscard]] bool at_end() const { return next == lines.size(); }
+        [[nodiscard]] std::string_view words() const { return trim(lines[next]); }
+        [[nodiscard]] std::string_view argument() const { return trim(words().substr(words().find(' '))); }
+        [[nodiscard]] LineOrigin origin() const { return {std::string(name), static_cast<int>(next) + 1}; }
     };
-    struct Branch {
-        bool outer;  ///< the lines around are kept
-        bool taken;  ///< some arm was
-        bool active; ///< this arm is
-    };
 
-    [[noreturn]] static void fail(const Place &place, const std::string &what) {
-        throw std::logic_error(std::string(place.part) + ":" + std::to_string(place.line) + ": " + what);
+    [[noreturn]] static void fail(const Part &part, const std::string &what) {
+        throw std::logic_error(fmt::format("{}:{}: {}", part.name, part.next + 1, what));
     }
 
-    static bool is_branch(std::string_view words) {
-        return words.starts_with("#if ") || words.starts_with("#elif ") || words == "#else" || words == "#endif";
+    static bool closes_block(std::string_view words) {
+        return words.starts_with("#elif ") || words == "#else" || words == "#endif" || words == "#end";
     }
 
-    void branch(std::string_view words, std::vector<Branch> &branches, const Place &place) const {
-        if (words.starts_with("#if ")) {
-            const bool outer = branches.empty() || branches.back().active;
-            const bool on = condition(words.substr(4), place);
-            branches.push_back({outer, on, outer && on});
-            return;
-        }
-        if (branches.empty()) {
-            fail(place, "no #if before this");
-        }
-        Branch &top = branches.back();
-        if (words == "#endif") {
-            branches.pop_back();
-        } else {
-            const bool on = words == "#else" || condition(words.substr(6), place);
-            top.active = top.outer && !top.taken && on;
-            top.taken = top.taken || on;
-        }
-    }
-
-    bool condition(std::string_view text, const Place &place) const {
-        bool any = false;
-        bool all = true;
-        std::istringstream words{std::string(text)};
-        for (std::string word; words >> word;) {
-            if (word == "||") {
-                any = any || all;
-                all = true;
-            } else if (word != "&&") {
-                const bool negate = word.starts_with('!');
-                all = (flag(std::string_view(word).substr(negate ? 1 : 0), place) != negate) && all;
+    /// Up to the line that closes the block, or the part's end. Without `out` names are checked, and lines dropped.
+    void read(Part &part, Lines *out) {
+        while (!part.at_end() && !closes_block(part.words())) {
+            if (part.words().starts_with("#if ")) {
+                read_branches(part, out);
+            } else if (part.words().starts_with("#each ")) {
+                read_each(part, out);
+            } else {
+                if (out != nullptr) {
+                    read_line(part, *out);
+                }
+                ++part.next;
             }
         }
-        return any || all;
     }
 
-    static std::string resolve(std::string_view name, const Place &place) {
-        if (name.starts_with("light.") && !place.kind.empty()) {
-            return place.kind + std::string(name.substr(5));
+    void read_branches(Part &part, Lines *out) {
+        std::vector<Arm> arms;
+        bool decided = false;
+        while (part.words() != "#endif") {
+            const Condition is = part.words() == "#else" ? Condition{true, {}} : condition(part);
+            const bool possible = !decided && (is.on || !is.glsl.empty()) &&
+                                  std::ranges::find(arms, is.glsl, &Arm::condition) == arms.end();
+            ++part.next;
+            Arm arm{is.glsl, {}};
+            read(part, out != nullptr && possible ? &arm.lines : nullptr);
+            if (part.at_end() || part.words() == "#end") {
+                throw std::logic_error(fmt::format("{}: #if without #endif", part.name));
+            }
+            if (possible) {
+                arms.push_back(std::move(arm));
+            }
+            decided = decided || is.on;
         }
-        return std::string(name);
+        ++part.next;
+        if (out == nullptr || arms.empty()) {
+            return;
+        }
+        if (arms.front().condition.empty()) {
+            out->insert(out->end(), arms.front().lines.begin(), arms.front().lines.end());
+        } else if (!arms.front().lines.empty()) {
+            add_run_time_branches(*out, arms);
+        }
     }
 
-    bool flag(std::string_view name, const Place &place) const {
-        const auto found = values_.flags.find(resolve(name, place));
+    void read_each(Part &part, Lines *out) {
+        const std::string name(part.argument());
+        const auto list = values_.lists.find(name);
+        if (list == values_.lists.end()) {
+            fail(part, fmt::format("no list '{}'", name));
+        }
+        const std::size_t first = part.next + 1;
+        for (const std::string &word : list->second) {
+            part.next = first;
+            words_[name] = word;
+            read(part, out);
+        }
+        words_.erase(name);
+        if (part.at_end() || part.words() != "#end") {
+            throw std::logic_error(fmt::format("{}: #each without #end", part.name));
+        }
+        ++part.next;
+    }
+
+    void read_line(const Part &part, Lines &out) {
+        const std::string_view words = part.words();
+        if (words.starts_with("#include ")) {
+            const std::string quoted = replace_texts(part, part.argument());
+            if (quoted.size() < 3 || quoted.front() != '"' || quoted.back() != '"') {
+                fail(part, "expected #include \"part.glsl\"");
+            }
+            expand(std::string_view(quoted).substr(1, quoted.size() - 2), &out);
+        } else {
+            out.push_back({replace_texts(part, part.lines[part.next]), part.origin()});
+        }
+    }
+
+    [[nodiscard]] Condition condition(const Part &part) const {
+        Condition any;
+        for (const std::string_view alternative : split(part.argument(), "||")) {
+            bool possible = true;
+            std::string chosen;
+            for (std::string_view name : split(alternative, "&&")) {
+                name = trim(name);
+                const bool negated = name.starts_with('!');
+                const std::string flag = resolve(name.substr(negated ? 1 : 0));
+                if (values_.choices.contains(flag)) {
+                    chosen +=
+                        fmt::format("{}{}{}", chosen.empty() ? "" : " && ", negated ? "!" : "", uniform_name(flag));
+                } else {
+                    possible = (is_on(flag, part) != negated) && possible;
+                }
+            }
+            any.on |= possible && chosen.empty();
+            any.glsl += possible && !chosen.empty() ? (any.glsl.empty() ? "" : " || ") + chosen : "";
+        }
+        return any.on ? Condition{true, {}} : any;
+    }
+
+    [[nodiscard]] std::string resolve(std::string_view name) const {
+        const auto dot = std::min(name.find('.'), name.size());
+        const auto word = words_.find(name.substr(0, dot));
+        return word == words_.end() ? std::string(name) : word->second + std::string(name.substr(dot));
+    }
+
+    [[nodiscard]] bool is_on(const std::string &name, const Part &part) const {
+        const auto found = values_.flags.find(name);
         if (found == values_.flags.end()) {
-            fail(place, "no flag '" + resolve(name, place) + "'");
+            fail(part, fmt::format("no flag '{}'", name));
         }
         return found->second;
     }
 
-    void include(std::string_view words, const Place &place, int depth) {
-        const auto open = words.find('"');
-        const auto close = words.find('"', open + 1);
-        if (open == std::string_view::npos || close == std::string_view::npos) {
-            fail(place, "expected #include \"part.glsl\"");
-        }
-        const auto rest = trim(words.substr(close + 1));
-        const std::string kind = rest.starts_with("with ") ? std::string(trim(rest.substr(5))) : place.kind;
-        expand(words.substr(open + 1, close - open - 1), kind, depth + 1);
-    }
-
-    void emit(const std::string &line, const Place &place) {
+    [[nodiscard]] std::string replace_texts(const Part &part, std::string_view line) const {
         std::string text;
-        std::size_t from = 0;
-        for (auto at = line.find("${"); at != std::string::npos; at = line.find("${", from)) {
+        for (auto at = line.find("${"); at != std::string_view::npos; at = line.find("${")) {
             const auto end = line.find('}', at);
-            const auto name = resolve(std::string_view(line).substr(at + 2, end - at - 2), place);
+            const std::string name = resolve(line.substr(at + 2, end - at - 2));
             const auto found = values_.texts.find(name);
             if (found == values_.texts.end()) {
-                fail(place, "no text '" + name + "'");
+                fail(part, fmt::format("no text '{}'", name));
             }
-            text += line.substr(from, at - from) + found->second;
-            from = end + 1;
+            text.append(line.substr(0, at)).append(found->second);
+            line.remove_prefix(end + 1);
         }
-        text += line.substr(from);
-        const bool blank = trim(text).empty();
-        if (blank && (last_blank_ || result_.origins.empty())) {
-            return;
-        }
-        last_blank_ = blank;
-        result_.text += text + "\n";
-        result_.origins.push_back({std::string(place.part), place.line});
+        return text.append(line);
     }
 
     const ShaderParts &parts_;
     const TemplateValues &values_;
-    StageSource result_;
-    bool last_blank_ = false;
+    std::map<std::string, std::string, std::less<>> words_; ///< what the names of #each stand for
+    int depth_ = 0;
 };
+
+std::set<std::string> identifiers(const Lines &lines) {
+    static const std::regex identifier(R"([A-Za-z_]\w*)");
+    std::set<std::string> found;
+    for (const Line &line : lines) {
+        for (std::sregex_iterator match(line.text.begin(), line.text.end(), identifier), end; match != end; ++match) {
+            found.insert(match->str());
+        }
+    }
+    return found;
+}
 
 } // namespace
 
+std::string uniform_name(std::string_view choice) {
+    std::string name(choice);
+    std::ranges::replace(name, '.', '_');
+    return name;
+}
+
 StageSource expand(const ShaderParts &parts, std::string_view part, const TemplateValues &values) {
-    Expander expander(parts, values);
-    expander.expand(part, {}, 0);
-    return expander.take();
+    Lines lines;
+    Expander(parts, values).expand(part, &lines);
+    StageSource result;
+    bool after_blank = true;
+    const auto add = [&](const std::string &text, const LineOrigin &origin) {
+        const bool blank = trim(text).empty();
+        if (!(blank && after_blank)) {
+            result.text += text + "\n";
+            result.origins.push_back(origin);
+        }
+        after_blank = blank;
+    };
+    for (const auto &[text, origin] : lines) {
+        if (text != choices_mark) {
+            add(text, origin);
+            continue;
+        }
+        const std::set<std::string> read = values.choices.empty() ? std::set<std::string>{} : identifiers(lines);
+        for (const std::string &choice : values.choices) {
+            if (const std::string name = uniform_name(choice); read.contains(name)) {
+                add(fmt::format("uniform bool {};", name), origin);
+            }
+        }
+    }
+    return result;
 }
 
 } // namespace sandbox

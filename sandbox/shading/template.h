@@ -4,7 +4,9 @@
 #include "shading/program_source.h"
 
 #include <map>
+#include <set>
 #include <string>
+#include <vector>
 
 namespace sandbox {
 
@@ -12,13 +14,21 @@ namespace sandbox {
 struct TemplateValues {
     std::map<std::string, bool, std::less<>> flags;
     std::map<std::string, std::string, std::less<>> texts;
+    std::map<std::string, std::vector<std::string>, std::less<>> lists; ///< what #each goes through; none is empty
+    std::set<std::string, std::less<>> choices; ///< flags that only the running program knows, as uniform bools
 };
 
 /// Expands `part` and what it includes. Lines that begin with
-///   #if A && !B || C, #elif, #else, #endif   keep or drop lines (&& binds tighter; flags)
-///   #include "part.glsl" [with KIND]         expand another part; with: `light.x` means `KIND.x` inside it
-/// are directives and leave no line behind; ${name} is replaced by a text. Names that are not known, and unbalanced
-/// directives, throw std::logic_error naming part:line. Runs of blank lines become one.
+///   #if A && !B || C, #elif, #else, #endif   keep or drop lines by flags (&& binds tighter)
+///   #include "part.glsl"                     expand another part
+///   #each NAME, #end                         repeat lines for every word of a list; in them `NAME.x` means `WORD.x`
+///   #choices                                 declare the choices that the text reads
+/// are directives and leave no line behind; ${name} is replaced by a text. An #if on a choice becomes an `if` of GLSL;
+/// what several of its arms declare is declared before it. Names that are not known, and unbalanced directives, throw
+/// std::logic_error naming part:line. Runs of blank lines become one.
 StageSource expand(const ShaderParts &parts, std::string_view part, const TemplateValues &values);
+
+/// The uniform that a choice is: "point_narrow_cone" of "point.narrow_cone".
+std::string uniform_name(std::string_view choice);
 
 } // namespace sandbox

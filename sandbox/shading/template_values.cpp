@@ -1,34 +1,86 @@
 #include "shading/template_values.h"
 
-#include "shading/needs.h"
-
-#include <utility>
+#include <algorithm>
+#include <cctype>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace sandbox {
 namespace {
 
-/// Terms joined into one GLSL expression; `none` where there are none.
-std::string join(const std::vector<std::string> &terms, const std::string &separator, const std::string &none = "") {
-    std::string text;
-    for (const auto &term : terms) {
-        text += (text.empty() ? "" : separator) + term;
+using Flags = std::initializer_list<std::pair<std::string_view, bool>>;
+using Texts = std::initializer_list<std::pair<std::string_view, std::string>>;
+
+/// The kind "point" makes "point.diffuse" of "diffuse".
+void add_flags(TemplateValues &values, std::string_view kind, const Flags &flags) {
+    for (const auto &[name, on] : flags) {
+        values.flags[fmt::format("{}.{}", kind, name)] = on;
     }
-    return text.empty() ? none : text;
+}
+
+void add_texts(TemplateValues &values, std::string_view kind, const Texts &texts) {
+    for (const auto &[name, text] : texts) {
+        values.texts[fmt::format("{}.{}", kind, name)] = text;
+    }
+}
+
+/// Terms joined into one sum; `none` where there are none.
+std::string sum_of(const std::vector<std::string> &terms, const std::string &none = "") {
+    return terms.empty() ? none : fmt::format("{}", fmt::join(terms, " + "));
 }
 
 std::string in_brackets(const std::vector<std::string> &terms) {
-    return terms.size() > 1 ? "(" + join(terms, " + ") + ")" : join(terms, " + ");
+    return terms.size() > 1 ? "(" + sum_of(terms) + ")" : sum_of(terms);
 }
 
-/// The lights of one type, seen from one stage.
+/// The lights of one kind, seen from one stage.
 struct LightPart {
-    std::string kind;        ///< "point"
-    std::string struct_name; ///< "PointLight"
+    const LightKind &kind;
+    const Features &program;
+    const StageNeeds &stage;
     const LightFeatures &features;
-    const LightNeeds &here;     ///< in this stage
-    const LightNeeds &vertex;   ///< in the vertex stage
-    const LightNeeds &fragment; ///< in the fragment stage
+    const LightNeeds &here; ///< in this stage
 };
+
+/// "PointLight"; a full program has but one type.
+std::string type_name(const Features &program, const LightKind &kind) {
+    const auto first = static_cast<char>(std::toupper(static_cast<unsigned char>(kind.word[0])));
+    return program.is_full() ? "Light" : fmt::format("{}{}Light", first, kind.word.substr(1));
+}
+
+/// The array that holds the lights of a kind, and what is interpolated of them.
+void add_array(TemplateValues &values, const LightKind &kind, const Features &program, const LightFeatures &has,
+               const LightNeeds &handed, bool declared) {
+    add_flags(values, kind.word,
+              {{"declared", declared},
+               {"many", has.count > 1},
+               {"positional", kind.positional},
+               {"directed", kind.directed},
+               {"ambient", has.ambient},
+               {"attenuated_ambient", has.attenuated_ambient},
+               {"diffuse", has.diffuse},
+               {"specular", has.specular},
+               {"given_half_vector", has.given_half_vector},
+               {"constant", has.constant},
+               {"linear", has.linear},
+               {"quadratic", has.quadratic},
+               {"cone", has.cone()},
+               {"narrow_cone", has.narrow_cone},
+               {"hard_cone", has.hard_cone},
+               {"soft_cone", has.soft_cone},
+               {"exponent", has.exponent},
+               {"varying_any", handed.given_any()},
+               {"varying_L", handed.given_L},
+               {"varying_H", handed.given_H},
+               {"varying_R", handed.given_R},
+               {"varying_distance", handed.given_distance},
+               {"varying_attenuation", handed.given_attenuation}});
+    add_texts(values, kind.word,
+              {{"v", program.is_full() ? "v" : fmt::format("v_{}", kind.word)},
+               {"type", type_name(program, kind)},
+               {"array", program.is_full() ? "lights" : fmt::format("{}_lights", kind.word)},
+               {"count", std::to_string(has.count)}});
+}
 
 std::string attenuation_denominator(const LightFeatures &f, const std::string &light) {
     std::vector<std::string> terms;
@@ -41,68 +93,99 @@ std::string attenuation_denominator(const LightFeatures &f, const std::string &l
     if (f.quadratic) {
         terms.push_back(light + ".quadratic * d * d");
     }
-    return join(terms, " + ", "1.0");
+    return sum_of(terms, "1.0");
 }
 
-std::string highlight(const Features &f, const LightPart &light) {
-    if (f.exponent == Exponent::zero) {
+/// A value of a technique key as its GLSL names it: "blinn_phong".
+std::string glsl_name(const TechniqueValue &value) {
+    std::string name(value.name);
+    std::ranges::replace(name, '-', '_');
+    return name;
+}
+
+std::string glsl_name(Model model) { return glsl_name(model_values[static_cast<std::size_t>(model)]); }
+
+/// f^n of one model, as it is called.
+std::string highlight_of(Model model, const LightPart &light) {
+    if (mirrors_view(model)) {
+        return fmt::format("{}({})", glsl_name(model), light.here.given_R ? "normalize(mirrored), V" : "R, L");
+    }
+    std::string half = light.here.given_H ? "H" : "L + V";
+    if (light.program.is_full()) {
+        half = fmt::format("{}_given_half_vector ? light.half_vector : {}", light.kind.word, half);
+    } else if (light.features.given_half_vector) {
+        half = "light.half_vector";
+    }
+    return fmt::format("{}(N, {})", glsl_name(model), half);
+}
+
+std::string highlight(const LightPart &light) {
+    if (light.program.exponent == Exponent::zero) {
         return "1.0";
     }
-    if (f.model == Model::phong) {
-        return light.here.given_R ? "phong(normalize(mirrored), V)" : "phong(R, L)";
+    if (!light.program.is_full()) {
+        return highlight_of(light.program.technique.model, light);
     }
-    if (light.features.given_half_vector) {
-        return "blinn_phong(N, light.half_vector)";
+    std::string text;
+    for (const Model model : all_models) {
+        if (reflection(model).specular) {
+            const std::string call = highlight_of(model, light);
+            text = text.empty() ? call : fmt::format("model_{} ? {} : {}", glsl_name(model), call, text);
+        }
     }
-    return light.here.given_H ? "blinn_phong(N, H)" : "blinn_phong(N, L + V)";
+    return fmt::format("(exponent_zero ? 1.0 : {})", text);
 }
 
 /// What a light function is handed besides the light: parameter and argument, in step.
-std::pair<std::string, std::string> light_parameters(const LightPart &light, const StageNeeds &stage) {
+std::pair<std::string, std::string> light_parameters(const LightPart &light, const TemplateValues &values) {
     const LightNeeds &n = light.here;
-    const std::string index = light.features.count > 1 ? "[i]" : "[0]";
-    const std::string varying = "v_" + light.kind + "_";
+    const auto varying = [&](const std::string &name) {
+        const std::string &prefix = values.texts.at(fmt::format("{}.v", light.kind.word));
+        return fmt::format("{}_{}[{}]", prefix, name, light.features.count > 1 ? "i" : "0");
+    };
     std::string parameters;
     std::string arguments;
     const auto add = [&](bool needed, const std::string &parameter, const std::string &argument) {
         parameters += needed ? ", " + parameter : "";
         arguments += needed ? ", " + argument : "";
     };
-    add(n.finds_L || n.finds_distance, "vec3 P", "P");
+    add(n.uses_P(), "vec3 P", "P");
     add(n.uses_N, "vec3 N", "N");
     add(n.uses_V, "vec3 V", "V");
     add(n.uses_R, "vec3 R", "R");
-    add(n.given_L, "vec3 direction", varying + "L" + index);
-    add(n.given_H, "vec3 H", varying + "H" + index);
-    add(n.given_R, "vec3 mirrored", varying + "R" + index);
-    add(n.given_distance, "float d", varying + "distance" + index);
-    add(n.given_attenuation, "float a", varying + "attenuation" + index);
-    add(stage.separate_specular && n.adds_specular, "inout vec3 specular", "specular");
+    add(n.given_L, "vec3 direction", varying("L"));
+    add(n.given_H, "vec3 H", varying(values.texts.at("H")));
+    add(n.given_R, "vec3 mirrored", varying(values.texts.at("R")));
+    add(n.given_distance, "float d", varying("distance"));
+    add(n.given_attenuation, "float a", varying("attenuation"));
+    add(light.stage.separate_specular && n.adds_specular, "inout vec3 specular", "specular");
     return {parameters, arguments};
 }
 
 /// The light's terms: what is added outright, and what attenuation and cone multiply.
-void add_sums(TemplateValues &values, const Features &f, const StageNeeds &stage, const LightPart &light) {
+void add_sums(TemplateValues &values, const LightPart &light) {
     const LightNeeds &n = light.here;
-    std::vector<std::string> strength;
+    const Technique &technique = light.program.technique;
+    const bool full = light.program.is_full();
+    std::string times;
     if (light.features.attenuated() && n.fades) {
-        strength.emplace_back("a");
+        times += "a * ";
     }
     if (n.uses_cone) {
-        strength.emplace_back("s");
+        times += "s * ";
     }
-    const std::string times = strength.empty() ? "" : join(strength, " * ") + " * ";
-    const std::string lit = f.where_lit ? "lit * " : "";
+    const std::string lit = full || technique.ambient == AmbientWhere::where_lit ? "lit * " : "";
     std::vector<std::string> faded;
     if (n.adds_attenuated_ambient) {
         faded.push_back(lit + "light.attenuated_ambient");
     }
     if (n.adds_diffuse) {
-        const bool fault = f.unnegated_diffuse && light.kind == "directional";
-        faded.push_back(std::string("light.diffuse * max(") + (fault ? "-" : "") + "n_dot_l, 0.0)");
+        std::string incidence = technique.direction == DirectionSign::travel ? "n_dot_l" : "-n_dot_l";
+        incidence = full ? "direction_unnegated_diffuse ? -n_dot_l : n_dot_l" : incidence;
+        faded.push_back(fmt::format("light.diffuse * max({}, 0.0)", light.kind.positional ? "n_dot_l" : incidence));
     }
     const std::string specular = "light.specular * highlight";
-    if (n.adds_specular && !stage.separate_specular) {
+    if (n.adds_specular && !light.stage.separate_specular) {
         faded.push_back(specular);
     }
     std::vector<std::string> sum;
@@ -110,98 +193,68 @@ void add_sums(TemplateValues &values, const Features &f, const StageNeeds &stage
         sum.push_back(lit + "light.ambient");
     }
     if (!faded.empty()) {
-        sum.push_back(times.empty() ? join(faded, " + ") : times + in_brackets(faded));
+        sum.push_back(times.empty() ? sum_of(faded) : times + in_brackets(faded));
     }
-    values.texts[light.kind + ".sum"] = join(sum, " + ", "vec3(0.0)");
-    values.texts[light.kind + ".specular_sum"] = times.empty() ? specular : times + "(" + specular + ")";
+    add_texts(
+        values, light.kind.word,
+        {{"sum", sum_of(sum, "vec3(0.0)")}, {"specular_sum", times.empty() ? specular : times + "(" + specular + ")"}});
 }
 
-void add_light(TemplateValues &values, const Features &f, const StageNeeds &stage, const LightPart &light,
-               bool vertex) {
+/// The function of a kind's lights in one stage.
+void add_light(TemplateValues &values, const LightPart &light) {
     const LightFeatures &has = light.features;
     const LightNeeds &n = light.here;
-    const LightNeeds &handed = light.fragment;
-    const bool positional = light.kind != "directional";
-    const bool varying_any =
-        handed.given_L || handed.given_H || handed.given_R || handed.given_distance || handed.given_attenuation;
-    const std::string k = light.kind + ".";
-    const std::string uniform = has.count > 1 ? light.kind + "_lights[i]" : "the_" + light.kind + "_light";
-    const auto [parameters, arguments] = light_parameters(light, stage);
-    for (const auto &[name, on] : std::initializer_list<std::pair<const char *, bool>>{
-             {"declared", n.any || (vertex && varying_any)},
-             {"many", has.count > 1},
-             {"positional", positional},
-             {"directed", light.vertex.uses_L || light.fragment.uses_L || !positional || n.uses_cone},
-             {"ambient", has.ambient},
-             {"attenuated_ambient", has.attenuated_ambient},
-             {"diffuse", has.diffuse},
-             {"specular", has.specular},
-             {"given_half_vector", has.given_half_vector},
-             {"constant", has.constant},
-             {"linear", has.linear},
-             {"quadratic", has.quadratic},
-             {"floor", has.floor},
-             {"on_surface", has.on_surface},
-             {"narrow_cone", has.narrow_cone},
-             {"hard_cone", has.hard_cone},
-             {"soft_cone", has.soft_cone},
-             {"cone", has.hard_cone || has.soft_cone},
-             {"exponent", has.exponent},
-             {"no_exponent", has.no_exponent},
-             {"stable_exponent", has.stable_exponent},
-             {"adds_ambient", n.adds_ambient},
-             {"adds_attenuated_ambient", n.adds_attenuated_ambient},
-             {"adds_specular", n.adds_specular},
-             {"adds_separate_specular", n.adds_specular && stage.separate_specular},
-             {"uses_n_dot_l", n.uses_n_dot_l},
-             {"uses_L", n.uses_L},
-             {"finds_L", n.finds_L},
-             {"given_L", n.given_L},
-             {"finds_distance", n.finds_distance},
-             {"finds_attenuation", n.finds_attenuation},
-             {"uses_cone", n.uses_cone},
-             {"varying_L", handed.given_L},
-             {"varying_H", handed.given_H},
-             {"varying_R", handed.given_R},
-             {"varying_distance", handed.given_distance},
-             {"varying_attenuation", handed.given_attenuation},
-             {"varying_any", varying_any}}) {
-        values.flags[k + name] = on;
-    }
-    if (positional) {
-        values.flags[k + "directed"] = light.kind == "spot";
-    }
-    values.flags["stage." + light.kind] = n.any;
+    add_flags(values, light.kind.word,
+              {{"used", n.any},
+               {"floor", has.floor},
+               {"on_surface", has.on_surface},
+               {"no_exponent", has.no_exponent},
+               {"adds_ambient", n.adds_ambient},
+               {"adds_attenuated_ambient", n.adds_attenuated_ambient},
+               {"adds_specular", n.adds_specular},
+               {"adds_separate_specular", n.adds_specular && light.stage.separate_specular},
+               {"uses_n_dot_l", n.uses_n_dot_l},
+               {"uses_L", n.uses_L},
+               {"finds_L", n.finds_L},
+               {"given_L", n.given_L},
+               {"finds_distance", n.finds_distance},
+               {"finds_attenuation", n.finds_attenuation},
+               {"uses_cone", n.uses_cone}});
+    const std::string uniform = light_uniform(light.program, light.kind, "i");
     const std::string denominator = attenuation_denominator(has, uniform);
-    values.texts[k + "kind"] = light.kind;
-    values.texts[k + "struct"] = light.struct_name;
-    values.texts[k + "count"] = std::to_string(has.count);
-    values.texts[k + "uniform"] = uniform;
-    values.texts[k + "parameters"] = parameters;
-    values.texts[k + "arguments"] = arguments;
-    values.texts[k + "denominator"] = attenuation_denominator(has, "light");
-    values.texts[k + "safe_denominator"] = has.floor ? "max(" + denominator + ", 1e-6)" : "(" + denominator + ")";
-    values.texts[k + "distance"] = n.finds_distance ? "d" : "length(to_light)";
-    values.texts[k + "highlight"] = highlight(f, light);
-    add_sums(values, f, stage, light);
+    const auto [parameters, arguments] = light_parameters(light, values);
+    const bool full = light.program.is_full();
+    add_texts(
+        values, light.kind.word,
+        {{"kind", std::string(light.kind.word)},
+         {"first", full ? fmt::format("{}_first", light.kind.word) : "0"},
+         {"end", full ? fmt::format("{}_end", light.kind.word) : std::to_string(has.count)},
+         {"uniform", uniform},
+         {"parameters", parameters},
+         {"arguments", arguments},
+         {"denominator", attenuation_denominator(has, "light")},
+         {"safe_denominator", has.floor ? fmt::format("max({}, 1e-6)", denominator) : fmt::format("({})", denominator)},
+         {"distance", n.finds_distance ? "d" : "length(to_light)"},
+         {"highlight", highlight(light)}});
+    add_sums(values, light);
 }
 
-void add_stage(TemplateValues &values, const Features &f, const StageNeeds &stage, const std::string &name) {
-    const std::string k = name + ".";
-    for (const auto &[flag, on] : std::initializer_list<std::pair<const char *, bool>>{
-             {"lit", stage.lit},
-             {"P", stage.P},
-             {"N", stage.N},
-             {"V", stage.V},
-             {"R", stage.R},
-             {"specular", stage.specular},
-             {"separate_specular", stage.separate_specular},
-             {"constant_ambient", stage.constant_ambient},
-             {"uses_view_direction", stage.V && f.viewer == Viewer::infinite},
-             {"stable_power", (stage.specular && f.exponent == Exponent::stable) ||
-                                  (stage.spot.uses_cone && f.spot.stable_exponent)}}) {
-        values.flags[k + flag] = on;
-    }
+void add_stage(TemplateValues &values, const Features &f, const StageNeeds &stage, std::string_view name,
+               bool fragment) {
+    const bool stable_cone = std::ranges::any_of(light_kinds, [&](const LightKind &kind) {
+        return stage.lights[kind.type].uses_cone && f.lights[kind.type].stable_exponent;
+    });
+    add_flags(values, name,
+              {{"lit", stage.lit},
+               {"P", stage.P},
+               {"N", stage.N},
+               {"V", stage.V},
+               {"R", stage.R},
+               {"specular", stage.specular},
+               {"separate_specular", stage.separate_specular},
+               {"constant_ambient", stage.constant_ambient},
+               {"uses_view_direction", stage.V && (f.is_full() || f.technique.viewer == Viewer::infinite)},
+               {"stable_power", (stage.specular && f.exponent == Exponent::stable) || stable_cone}});
     std::vector<std::string> parameters;
     std::vector<std::string> arguments;
     const auto add = [&](bool needed, const std::string &parameter, const std::string &argument) {
@@ -210,101 +263,166 @@ void add_stage(TemplateValues &values, const Features &f, const StageNeeds &stag
             arguments.push_back(argument);
         }
     };
-    const auto from_point = [](const LightNeeds &n) { return n.finds_L || n.finds_distance; };
-    const bool uses_P = from_point(stage.directional) || from_point(stage.point) || from_point(stage.spot);
-    const bool uses_V = stage.R || stage.directional.uses_V || stage.point.uses_V || stage.spot.uses_V;
-    add(uses_P, "vec3 P", name == "fragment" && !f.wide ? "v_position" : "P");
+    add(std::ranges::any_of(stage.lights, &LightNeeds::uses_P), "vec3 P", fragment && !f.wide ? "v_position" : "P");
     add(stage.N, "vec3 N", "N");
-    add(uses_V, "vec3 V", "V");
-    add(stage.separate_specular, "inout vec3 specular", name == "fragment" ? "specular" : "v_specular");
-    values.texts[k + "surface_parameters"] = join(parameters, ", ");
-    values.texts[k + "surface_arguments"] = join(arguments, ", ");
-    values.texts[k + "first_sum"] = stage.constant_ambient ? "ambient" : "vec3(0.0)";
-    values.texts[k + "before_base"] = f.base == Base::none ? "" : ", before the base colour multiplies it";
+    add(stage.R || std::ranges::any_of(stage.lights, &LightNeeds::uses_V), "vec3 V", "V");
+    add(stage.separate_specular, "inout vec3 specular", fragment ? "specular" : "v_specular");
+    add_texts(values, name,
+              {{"surface_parameters", fmt::format("{}", fmt::join(parameters, ", "))},
+               {"surface_arguments", fmt::format("{}", fmt::join(arguments, ", "))},
+               {"first_sum", stage.constant_ambient ? "ambient" : "vec3(0.0)"},
+               {"before_base", f.has_base() ? ", before the base colour multiplies it" : ""}});
 }
 
 /// The fragment's colour, as one expression.
 std::string color_expression(const Features &f, const ProgramNeeds &needs) {
+    const bool apart = f.has_base() && !f.base_times_specular; // specular light is no part of `multiplied`
+    const std::string tint = f.is_full() ? "(base_times_specular ? base : vec3(1.0)) * " : "";
     std::vector<std::string> multiplied;
     std::vector<std::string> plain;
     if (needs.vertex.lit) {
         multiplied.emplace_back("v_light");
     }
-    if (needs.fragment.lit) {
-        const bool unmodulated = needs.vertex.lit && f.base != Base::none && !f.base_times_specular;
-        (unmodulated ? plain : multiplied).emplace_back("light");
+    if (needs.fragment.lit && needs.vertex.lit && apart) {
+        plain.emplace_back(tint + "light");
+    } else if (needs.fragment.lit) {
+        multiplied.emplace_back("light");
     } else if (needs.fragment.constant_ambient) {
         multiplied.emplace_back("ambient");
     }
     if (needs.vertex.separate_specular || needs.fragment.separate_specular) {
-        plain.emplace_back(needs.vertex.separate_specular ? "v_specular" : "specular");
+        plain.emplace_back(tint + (needs.vertex.separate_specular ? "v_specular" : "specular"));
     }
     if (f.emission) {
         plain.emplace_back("emission");
     }
-    if (f.base != Base::none && !multiplied.empty()) {
+    if (f.has_base() && !multiplied.empty()) {
         plain.insert(plain.begin(), "base * " + in_brackets(multiplied));
     } else {
         plain.insert(plain.begin(), multiplied.begin(), multiplied.end());
     }
-    return join(plain, " + ", "vec3(0.0)");
+    return sum_of(plain, "vec3(0.0)");
+}
+
+void add_program(TemplateValues &values, const Features &f, const ProgramNeeds &needs, bool vertex) {
+    const Technique &technique = f.technique;
+    const bool full = f.is_full();
+    const bool model_matrix = technique.normals == Normals::model_matrix;
+    values.flags.insert(
+        {{"full", full},
+         {"flat", needs.attributes.flat},
+         {"vectors", needs.vectors},
+         {"reads_normal", needs.attributes.normal},
+         {"reads_uv", needs.attributes.uv},
+         {"reads_centroid", needs.attributes.centroid},
+         {"reads_checker", f.chequered},
+         {"reads_model", needs.vertex.P || f.normal_transform == NormalTransform::rigid || model_matrix || full},
+         {"reads_normal_matrix", f.normal_transform == NormalTransform::general && !model_matrix},
+         {"reads_eye", technique.position == LightingPosition::w0 || (full && needs.vertex.P)},
+         {"passes_view", needs.vectors && needs.fragment.V && (full || technique.viewer == Viewer::local)},
+         {"reads_exponent", f.exponent == Exponent::textbook || f.exponent == Exponent::stable},
+         {"guard_normal", f.guard_normal},
+         {"guard_vertex_normal", f.guard_vertex_normal},
+         {"emission", f.emission},
+         {"object_ids", f.object_ids},
+         {"deep", f.deep},
+         {"wide", f.wide}});
+    values.texts.insert({{"way", vertex ? "out" : "in"},
+                         {"flat", needs.attributes.flat ? "flat " : ""},
+                         {"H", full ? "reflection" : "H"}, // a full program interpolates the one that it needs
+                         {"R", full ? "reflection" : "R"},
+                         {"vertex.point", needs.attributes.centroid ? "a_centroid" : "a_position"},
+                         {"fragment.to_eye", needs.vectors ? "v_view"
+                                             : f.wide      ? "-P"
+                                                           : "-v_position"},
+                         {"fragment.color", color_expression(f, needs)}});
+    for (const Model model : all_models) {
+        const std::string name = glsl_name(model);
+        const bool used = full || (model == technique.model && f.exponent != Exponent::zero);
+        values.lists["model"].push_back(name);
+        add_flags(values, name, {{"used", used && reflection(model).specular}});
+        add_texts(values, name, {{"function", name}});
+    }
+}
+
+/// Of a full program: all that some light has, for lights of every kind.
+void add_shared_array(TemplateValues &values, const Features &f, const ProgramNeeds &needs, bool declared) {
+    const LightKind every{.type = {}, .word = "every", .positional = true, .directed = true, .conical = true};
+    LightFeatures has = every_light_feature(every, f.technique.frequency);
+    has.given_half_vector = true;
+    LightNeeds handed;
+    handed.given_L = handed.given_H = handed.given_distance = needs.vectors;
+    add_array(values, every, f, has, handed, declared);
+    values.lists["array"] = {"every"};
 }
 
 } // namespace
 
-TemplateValues specialised_values(const Features &f, Stage which) {
+std::string light_uniform(const Features &program, const LightKind &kind, const std::string &index) {
+    if (program.is_full()) {
+        return fmt::format("lights[{}]", index);
+    }
+    return program.lights[kind.type].count > 1 ? fmt::format("{}_lights[{}]", kind.word, index)
+                                               : fmt::format("the_{}_light", kind.word);
+}
+
+std::vector<std::pair<std::string, bool>> choices(const Features &f) {
+    std::vector<std::pair<std::string, bool>> all{{"normals_rigid", f.normal_transform == NormalTransform::rigid},
+                                                  {"normals_general", f.normal_transform == NormalTransform::general},
+                                                  {"two_sided", f.two_sided},
+                                                  {"textured", f.textured},
+                                                  {"chequered", f.chequered},
+                                                  {"base_times_specular", f.base_times_specular},
+                                                  {"mirrors_view", mirrors_view(f.technique.model)},
+                                                  {"exponent_zero", f.exponent == Exponent::zero},
+                                                  {"exponent_one", f.exponent == Exponent::one},
+                                                  {"exponent_stable", f.exponent == Exponent::stable}};
+    for (const TechniqueKey &key : technique_keys()) {
+        for (std::size_t i = 0; i < key.values.size(); ++i) {
+            all.emplace_back(fmt::format("{}_{}", key.name, glsl_name(key.values[i])),
+                             key.get(f.technique) == static_cast<int>(i));
+        }
+    }
+    for (const LightKind &kind : light_kinds) {
+        const LightFeatures &light = f.lights[kind.type];
+        all.emplace_back(fmt::format("{}.given_half_vector", kind.word), light.given_half_vector);
+        all.emplace_back(fmt::format("{}.narrow_cone", kind.word), light.narrow_cone);
+        all.emplace_back(fmt::format("{}.stable_exponent", kind.word), light.stable_exponent);
+    }
+    return all;
+}
+
+TemplateValues template_values(const Features &f, Stage which) {
     const ProgramNeeds needs = derive_needs(f);
     const bool vertex = which == Stage::vertex;
     const StageNeeds &stage = vertex ? needs.vertex : needs.fragment;
     TemplateValues values;
-    for (const auto &[name, on] : std::initializer_list<std::pair<const char *, bool>>{
-             {"flat", f.frequency == Frequency::flat && needs.vertex.lit},
-             {"vectors", needs.vectors},
-             {"texture", f.base == Base::texture},
-             {"checker", f.base == Base::checker},
-             {"emission", f.emission},
-             {"object_ids", f.object_ids},
-             {"deep", f.deep},
-             {"wide", f.wide},
-             {"rigid", f.normal_transform == NormalTransform::rigid},
-             {"normal_matrix", f.normal_transform == NormalTransform::normal_matrix},
-             {"model_matrix_normals", f.normal_transform == NormalTransform::model_matrix},
-             {"untransformed_normals", f.normal_transform == NormalTransform::untransformed},
-             {"renormalize", f.renormalize},
-             {"guard_normal", f.guard_normal},
-             {"guard_vertex_normal", f.guard_vertex_normal},
-             {"w0", f.position == LightingPosition::w0},
-             {"viewer_infinite", f.viewer == Viewer::infinite},
-             {"two_sided", f.two_sided},
-             {"where_lit", f.where_lit},
-             {"phong", f.model == Model::phong && f.exponent != Exponent::zero},
-             {"blinn_phong", f.model == Model::blinn_phong && f.exponent != Exponent::zero},
-             {"uniform_exponent", f.exponent == Exponent::textbook || f.exponent == Exponent::stable},
-             {"exponent_one", f.exponent == Exponent::one},
-             {"exponent_stable", f.exponent == Exponent::stable},
-             {"gate_light_facing", f.gate == Gate::light_facing},
-             {"gate_view_facing", f.gate == Gate::view_facing}}) {
-        values.flags[name] = on;
+    for (auto &[name, on] : choices(f)) {
+        if (f.is_full()) {
+            values.choices.insert(name);
+        } else {
+            values.flags[name] = on;
+        }
     }
-    values.texts["way"] = vertex ? "out" : "in";
-    values.texts["flat"] = values.flags["flat"] ? "flat " : "";
-    values.texts["vertex.point"] = values.flags["flat"] ? "a_centroid" : "a_position";
-    values.texts["fragment.color"] = color_expression(f, needs);
-    add_stage(values, f, needs.vertex, "vertex");
-    add_stage(values, f, needs.fragment, "fragment");
-    add_stage(values, f, stage, "stage");
-    if (!vertex) {
-        values.texts["stage.surface_arguments"] = values.texts["fragment.surface_arguments"];
+    add_program(values, f, needs, vertex);
+    add_stage(values, f, needs.vertex, "vertex", false);
+    add_stage(values, f, needs.fragment, "fragment", true);
+    add_stage(values, f, stage, "stage", !vertex);
+    bool declares_lights = false;
+    for (const LightKind &kind : light_kinds) {
+        const LightNeeds &handed = needs.fragment.lights[kind.type];
+        const LightPart part{kind, f, stage, f.lights[kind.type], stage.lights[kind.type]};
+        const bool declared = part.here.any || (vertex && handed.given_any());
+        declares_lights |= declared;
+        values.lists["light"].emplace_back(kind.word);
+        add_array(values, kind, f, part.features, handed, declared);
+        add_light(values, part);
     }
-    const auto part = [&](const char *kind, const char *name, const LightFeatures &features, auto member) {
-        add_light(values, f, stage, {kind, name, features, stage.*member, needs.vertex.*member, needs.fragment.*member},
-                  vertex);
-    };
-    part("directional", "DirectionalLight", f.directional, &StageNeeds::directional);
-    part("point", "PointLight", f.point, &StageNeeds::point);
-    part("spot", "SpotLight", f.spot, &StageNeeds::spot);
-    values.flags["vertex.declares_lights"] =
-        values.flags["directional.declared"] || values.flags["point.declared"] || values.flags["spot.declared"];
+    values.lists["array"] = values.lists["light"];
+    if (f.is_full()) {
+        add_shared_array(values, f, needs, declares_lights);
+    }
+    values.flags["vertex.declares_lights"] = declares_lights;
     return values;
 }
 

@@ -1,14 +1,24 @@
 #pragma once
 
-#include "shading/features.h"
+#include "shading/needs.h"
+#include "shading/program_source.h"
 #include "shading/template.h"
+
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace sandbox {
 
-/// What the parts may ask of one stage of the specialised program with these features.
-TemplateValues specialised_values(const Features &features, Stage stage);
+/// What the parts may ask of one stage of a program with these features (see program_features()).
+TemplateValues template_values(const Features &program, Stage stage);
 
-/// The same for the full program of the features' frequency, which asks for little.
-TemplateValues full_values(const Features &features, Stage stage);
+/// What excludes each other: every value of every technique key, and what an object's own features choose. Flags of its
+/// specialised program; uniforms of the full one (see uniform_name()), which branches on them.
+std::vector<std::pair<std::string, bool>> choices(const Features &object);
+
+/// The uniform that holds the light at `index` of its kind, or of all lights in a full program: "the_point_light",
+/// "spot_lights[1]", "lights[5]".
+std::string light_uniform(const Features &program, const LightKind &kind, const std::string &index);
 
 } // namespace sandbox

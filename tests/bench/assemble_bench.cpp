@@ -1,5 +1,6 @@
 #include "scene/resources.h"
 #include "scene/scene_file.h"
+#include "shading/prepared_object.h"
 #include "shading/program_source.h"
 
 #include <benchmark/benchmark.h>
@@ -15,8 +16,8 @@ void assemble_program(benchmark::State &state, const char *scene_name, const cha
     const Technique technique = parse_technique(technique_text);
     const auto resources = Resources(assets).load(scene);
     for (auto _ : state) {
-        const Features features = derive_features(scene, technique, scene.objects[0], *resources[0].mesh);
-        benchmark::DoNotOptimize(assemble(features, parts));
+        const PreparedObject object = prepare_object(scene, technique, scene.objects[0], *resources[0].mesh);
+        benchmark::DoNotOptimize(assemble(object.program, parts));
     }
 }
 BENCHMARK_CAPTURE(assemble_program, three_point_lights, "three-point-lights", "per-pixel/blinn-phong")

@@ -1,6 +1,6 @@
 #include "reference/reference.h"
 #include "scene/scene_file.h"
-#include "shading/features.h"
+#include "shading/prepared_object.h"
 #include "shading/technique.h"
 #include "tools/feature_scenes.h"
 
@@ -109,10 +109,10 @@ TEST_F(CanMatter, WhereAPowerCannotTheProgramsAreTheSame) {
         const auto resources = resources_.load(scene);
         for (const Model model : all_models) {
             const Technique technique{.model = model};
-            const auto expected = derive_features(scene, technique, resources);
+            const auto expected = object_features(scene, technique, resources);
             for_each_setting(technique, [&](const TechniqueKey &key, int value, const Technique &changed) {
                 if (changed.power != Power::automatic) {
-                    EXPECT_EQ(derive_features(scene, changed, resources) != expected,
+                    EXPECT_EQ(object_features(scene, changed, resources) != expected,
                               can_matter(key, value, scene, technique))
                         << scene.name << ", " << to_string(changed);
                 }

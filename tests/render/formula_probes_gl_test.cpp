@@ -49,10 +49,10 @@ const ExponentCase exponents[] = {{Exponent::one, 1},         {Exponent::textboo
 
 Features highlight_features(Model model, Exponent kind) {
     Features features;
-    features.model = model;
+    features.technique.model = model;
     features.exponent = kind;
-    features.directional.count = 1;
-    features.directional.specular = true;
+    features.lights[LightType::directional].count = 1;
+    features.lights[LightType::directional].specular = true;
     return features;
 }
 

@@ -2,8 +2,9 @@
 #include "render/light_values.h"
 #include "render/probe_vectors.h"
 #include "render/shader_probe.h"
-#include "render/uploader.h"
+#include "scene/light_kind.h"
 #include "scene/mesh.h"
+#include "shading/prepared_object.h"
 #include "tools/gl_test.h"
 
 #include <algorithm>
@@ -122,31 +123,33 @@ Twin twin_of(const Scene &scene, const Technique &technique, bool stable, const 
 void probe_light(const LightCase &c) {
     const Scene scene = scene_of(c);
     const Technique technique = parse_technique(c.technique);
-    const Features features = derive_features(scene, technique, scene.objects[0], build_mesh(scene.objects[0].mesh));
-    const TemplateValues values = specialised_values(features, Stage::fragment);
-    const std::string kind = c.light.type == LightType::directional ? "directional"
-                             : features.spot.count > 0              ? "spot"
-                                                                    : "point";
-    std::string body = values.texts.at(kind + ".struct") + " light = the_" + kind +
+    const PreparedObject prepared =
+        prepare_object(scene, technique, scene.objects[0], build_mesh(scene.objects[0].mesh));
+    const Features &features = prepared.program;
+    const TemplateValues values = template_values(features, Stage::fragment);
+    const LightType type = drawn_type(c.light);
+    const std::string kind(kind_of(type).word);
+    std::string body = values.texts.at(kind + ".type") + " light = the_" + kind +
                        "_light; vec3 P = in1.xyz; vec3 N = in2.xyz; vec3 V = in3.xyz; vec3 R = reflect(-V, N);\n";
-    body += kind != "directional" ? "light.position = in0.xyz;\n" : "";
-    body += kind != "point" ? "light.direction = in4.xyz;\n" : "";
+    body += kind_of(type).positional ? "light.position = in0.xyz;\n" : "";
+    body += kind_of(type).directed ? "light.direction = in4.xyz;\n" : "";
     body += "result.rgb = " + kind + "_light(light" + names_of(values.texts.at(kind + ".parameters")) + ");";
     const ShaderProbe probe(part_text("lighting.glsl", features), body);
     const std::vector<ProbeInput> inputs = light_inputs(c.light, 3000);
     const auto got = probe.run(inputs, [&](const GlProgram &program) {
         Uploader uploader(program);
         put_light(uploader, "the_" + kind + "_light",
-                  light_values(c.light, scene, technique, scene.objects[0].material));
+                  light_values(scene, prepared.lights.of_kind[type].at(0), scene.objects[0].material));
         uploader.put("shininess",
                      static_cast<float>(raised_exponent(scene, technique.model, scene.objects[0].material)));
     });
     // The powers' bounds, which leave room for some ten more roundings of a colour; errors of what attenuation makes
     // large are relative to it.
     const bool stable_highlight = features.exponent == Exponent::stable;
-    const double n = std::max(stable_highlight ? 0 : c.shininess, features.spot.stable_exponent ? 0 : c.light.exponent);
+    const double n =
+        std::max(stable_highlight ? 0 : c.shininess, features.lights[type].stable_exponent ? 0 : c.light.exponent);
     const double stiff =
-        std::max(stable_highlight ? c.shininess : 0, features.spot.stable_exponent ? c.light.exponent : 0);
+        std::max(stable_highlight ? c.shininess : 0, features.lights[type].stable_exponent ? c.light.exponent : 0);
     ProbeTable table(c.name, textbook_bound(n) + (stiff > 0 ? stable_bound(stiff) : 0));
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         const Twin twin = twin_of(scene, technique, stiff > 0, inputs[i]);

@@ -3,9 +3,10 @@
 #include "render/light_values.h"
 #include "render/probe_vectors.h"
 #include "render/shader_probe.h"
-#include "render/uploader.h"
+#include "render/uniforms.h"
+#include "scene/light_kind.h"
 #include "scene/space.h"
-#include "shading/normal_matrix.h"
+#include "shading/prepared_object.h"
 #include "tools/gl_test.h"
 
 #include <algorithm>
@@ -13,8 +14,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-/// surface_normal and surface_position of both kinds of program, and the full program's own twins of the light
-/// functions.
+/// surface_normal and surface_position of both kinds of program, and the lights of the full program.
 namespace sandbox {
 namespace {
 
@@ -72,21 +72,16 @@ void probe_normal(const TransformCase &c, const std::string &technique_text) {
     const Scene scene = surface_scene(c.transform);
     const Technique technique = parse_technique(technique_text);
     const Object &object = scene.objects[0];
-    const Features features = derive_features(scene, technique, object, build_mesh(object.mesh));
-    const bool full = technique.program == Program::full;
-    const std::string part = full ? lines_between(full_part_text("full_vertex.glsl", features, Stage::vertex),
-                                                  "vec3 guarded_unit", "void main")
-                                  : part_text("surface_vertex.glsl", features, Stage::vertex);
-    const std::string declarations =
-        full ? "uniform mat4 model; uniform mat3 normal_matrix; uniform int normal_transform;" : "";
-    const ShaderProbe probe("vec3 a_normal, a_position;\n" + declarations + "\n" + part,
+    const PreparedObject prepared = prepare_object(scene, technique, object, build_mesh(object.mesh));
+    const ShaderProbe probe("vec3 a_normal, a_position;\n" +
+                                part_text("surface_vertex.glsl", prepared.program, Stage::vertex),
                             "a_normal = in0.xyz; a_position = in1.xyz; result.rgb = surface_normal();");
     const std::vector<ProbeInput> inputs = unit_vectors(2000);
     const auto got = probe.run(inputs, [&](const GlProgram &program) {
         Uploader uploader(program);
         uploader.put("model", glm::mat4(camera_relative(scene)));
-        uploader.put("normal_matrix", glm::mat3(normal_matrix(linear_part(object.transform))));
-        uploader.put("normal_transform", static_cast<int>(normal_transform(technique, object)));
+        uploader.put("normal_matrix", glm::mat3(prepared.space.normals));
+        put_choices(uploader, prepared.features);
     });
     // A matrix rounded to float32 and three products a component: 6 units in the last place of 1.
     ProbeTable table("surface_normal, " + c.name + (technique_text == "per-pixel/lambert" ? "" : ", " + technique_text),
@@ -114,9 +109,9 @@ TEST_F(ProgramProbes, SurfacePosition) {
         const Scene scene = surface_scene({{1, 2, 3}, {20, 130, -50}, {1, 0.5, 2}});
         const Technique technique = parse_technique(technique_text);
         const Object &object = scene.objects[0];
-        const Features features = derive_features(scene, technique, object, build_mesh(object.mesh));
+        const PreparedObject prepared = prepare_object(scene, technique, object, build_mesh(object.mesh));
         const ShaderProbe probe("vec3 a_normal, a_position;\n" +
-                                    part_text("surface_vertex.glsl", features, Stage::vertex),
+                                    part_text("surface_vertex.glsl", prepared.program, Stage::vertex),
                                 "a_normal = in0.xyz; a_position = in1.xyz; result.rgb = surface_position();");
         const std::vector<ProbeInput> inputs = unit_vectors(2000);
         const auto got = probe.run(inputs, [&](const GlProgram &program) {
@@ -146,11 +141,12 @@ void probe_full_light(const std::string &name, const Light &light, const std::st
     material.shininess = shininess;
     Technique technique = parse_technique(technique_text);
     technique.program = Program::full;
-    const Features features = derive_features(scene, technique, scene.objects[0], build_mesh(SphereShape{1, 4, 8}));
-    const ShaderProbe probe(full_part_text("full_lighting.glsl", features),
-                            "vec3 sum = ambient; vec3 specular = vec3(0.0);\n"
-                            "add_all_lights(in0.xyz, in1.xyz, in2.xyz, true, sum, specular);\n"
-                            "result.rgb = sum + specular;");
+    const PreparedObject prepared =
+        prepare_object(scene, technique, scene.objects[0], build_mesh(SphereShape{1, 4, 8}));
+    const ShaderProbe probe(part_text("lighting.glsl", prepared.program),
+                            "vec3 specular = vec3(0.0);\n"
+                            "result.rgb = lighting(in0.xyz, in1.xyz, in2.xyz, specular);\n"
+                            "result.rgb += specular;");
     const reference::Setup setup = reference::prepare(scene, technique);
     const reference::LightSetup &one = setup.lights[0];
     Vectors random(17);
@@ -158,7 +154,7 @@ void probe_full_light(const std::string &name, const Light &light, const std::st
     for (int i = 0; i < 3000; ++i) {
         const glm::vec3 p = i % 9 == 0 ? glm::vec3(light.position) : 2.0F * random.in_cube();
         const glm::vec3 n = random.direction();
-        const glm::vec3 l(light.type == LightType::directional
+        const glm::vec3 l(!has_position(light)
                               ? -one.travel
                               : reference::unit(light.position - glm::dvec3(p) + glm::dvec3(0, 1e-9, 0)));
         const float spread = std::pow(10.0F, -1.5F + 1.5F * random.number());
@@ -168,14 +164,12 @@ void probe_full_light(const std::string &name, const Light &light, const std::st
     }
     const auto got = probe.run(inputs, [&](const GlProgram &program) {
         Uploader uploader(program);
-        put_light(uploader, "lights[0]", light_values(light, scene, technique, material));
-        uploader.put("light_count", 1);
-        uploader.put("ambient", glm::vec3(constant_ambient_light(scene, technique, material)));
+        put_light(uploader, "lights[0]",
+                  light_values(scene, prepared.lights.of_kind[drawn_type(light)].at(0), material));
+        uploader.put(std::string(kind_of(drawn_type(light)).word) + "_end", 1);
+        uploader.put("ambient", glm::vec3(prepared.lights.constant_ambient));
         uploader.put("shininess", static_cast<float>(raised_exponent(scene, technique.model, material)));
-        uploader.put("model_kind", static_cast<int>(technique.model));
-        uploader.put("power_kind", static_cast<int>(technique.power));
-        uploader.put("gate", static_cast<int>(technique.gate));
-        uploader.put("base_times_specular", 1);
+        put_choices(uploader, prepared.features);
     });
     const bool stable = technique.power == Power::stable;
     ProbeTable table("full: " + name, stable ? 2e-5 + stable_bound(shininess) : textbook_bound(shininess));

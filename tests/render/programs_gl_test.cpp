@@ -1,6 +1,7 @@
 #include "image/error.h"
 #include "render/gl_program.h"
 #include "render/renderer.h"
+#include "shading/prepared_object.h"
 #include "tools/feature_scenes.h"
 #include "tools/gl_test.h"
 #include "tools/technique_walk.h"
@@ -31,13 +32,14 @@ TEST_F(Programs, EverySpecialisedProgramBuildsAndLeavesNoUniformUnused) {
     for (const Scene &scene : feature_scenes()) {
         const Mesh mesh = build_mesh(scene.objects[0].mesh);
         for (const Technique &technique : pairwise_techniques()) {
-            const Features features = derive_features(scene, technique, scene.objects[0], mesh, built.size() % 2 == 0);
+            const Features features =
+                prepare_object(scene, technique, scene.objects[0], mesh, {.object_ids = built.size() % 2 == 0}).program;
             if (!built.insert(features).second) {
                 continue;
             }
             const ProgramSource source = assemble(features, parts);
             const GlProgram program(source);
-            if (features.program == Program::full) {
+            if (features.is_full()) {
                 continue; // declares what some scene needs
             }
             std::set<std::string> active;

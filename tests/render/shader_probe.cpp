@@ -89,12 +89,16 @@ std::vector<glm::vec4> ShaderProbe::run(const std::vector<ProbeInput> &inputs,
     return results;
 }
 
-std::string part_text(const std::string &part, const Features &features, Stage stage) {
-    return expand(ShaderParts(Assets("shaders")), part, specialised_values(features, stage)).text;
-}
-
-std::string full_part_text(const std::string &part, const Features &features, Stage stage) {
-    return expand(ShaderParts(Assets("shaders")), part, full_values(features, stage)).text;
+std::string part_text(const std::string &part, const Features &program, Stage stage) {
+    const TemplateValues values = template_values(program, stage);
+    const std::string text = expand(ShaderParts(Assets("shaders")), part, values).text;
+    std::string declarations;
+    for (const std::string &choice : values.choices) {
+        if (const std::string name = uniform_name(choice); text.find(name) != std::string::npos) {
+            declarations += "uniform bool " + name + ";\n";
+        }
+    }
+    return declarations + text;
 }
 
 std::string lines_between(const std::string &text, const std::string &from, const std::string &to) {

@@ -30,10 +30,8 @@ class ShaderProbe {
     VertexArray empty_;
 };
 
-/// A part's text as these features' stage holds it.
-std::string part_text(const std::string &part, const Features &features, Stage stage = Stage::fragment);
-/// The same of the full program.
-std::string full_part_text(const std::string &part, const Features &features, Stage stage = Stage::fragment);
+/// A part's text as these features' stage holds it, after the choices that it reads.
+std::string part_text(const std::string &part, const Features &program, Stage stage = Stage::fragment);
 /// The lines of `text` between the first that begins with `from` and the next that begins with `to`.
 std::string lines_between(const std::string &text, const std::string &from, const std::string &to);
 

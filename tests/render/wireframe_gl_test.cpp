@@ -1,5 +1,5 @@
 #include "render/renderer.h"
-#include "shading/length_scale.h"
+#include "shading/eye_space.h"
 #include "tools/gl_test.h"
 
 namespace sandbox {

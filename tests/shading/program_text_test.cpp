@@ -3,7 +3,7 @@
 #include "image/error.h"
 #include "scene/resources.h"
 #include "scene/scene_file.h"
-#include "shading/template_values.h"
+#include "shading/prepared_object.h"
 #include "tools/feature_scenes.h"
 #include "tools/technique_walk.h"
 
@@ -21,7 +21,7 @@ const ShaderParts &parts() {
 
 Features features_of(const Scene &scene, const std::string &technique) {
     const Object &object = scene.objects.at(0);
-    return derive_features(scene, parse_technique(technique), object, build_mesh(object.mesh));
+    return prepare_object(scene, parse_technique(technique), object, build_mesh(object.mesh)).program;
 }
 
 /// Both stages of the first object's program.
@@ -129,9 +129,9 @@ TEST(ProgramText, AnOrdinarySceneIsTheTextbooksProgramToTheLetter) {
         for (const std::string technique :
              {"flat/phong", "per-vertex/phong", "per-pixel/phong", "per-pixel/blinn-phong",
               "interpolated-vectors/blinn-phong", "hybrid/phong"}) {
-            const Features by_itself = derive_features(scene, parse_technique(technique), resources)[0];
+            const Features by_itself = prepare_objects(scene, parse_technique(technique), resources)[0].program;
             const Features textbook =
-                derive_features(scene, parse_technique(technique + ":power=textbook"), resources)[0];
+                prepare_objects(scene, parse_technique(technique + ":power=textbook"), resources)[0].program;
             EXPECT_EQ(by_itself, textbook) << name << ' ' << technique; // equal features give equal text
             EXPECT_EQ(assemble(by_itself, parts()).fragment.text, assemble(textbook, parts()).fragment.text);
             EXPECT_EQ(by_itself, without_guards(by_itself)) << name << ' ' << technique;
@@ -170,10 +170,9 @@ TEST(ProgramText, InterpolatedVectorsRefusesWhatDoesNotFit) {
     const Technique technique = parse_technique("interpolated-vectors/blinn-phong");
     const Features nine = features_of(scene, to_string(technique));
     EXPECT_EQ(varying_components(nine), 57);
-    EXPECT_NO_THROW(require_drawable(nine, scene, technique, scene.objects[0]));
+    EXPECT_NO_THROW(require_drawable(nine, scene.objects[0]));
     scene.lights.push_back(scene.lights[0]);
-    EXPECT_THROW(require_drawable(features_of(scene, to_string(technique)), scene, technique, scene.objects[0]),
-                 InputError);
+    EXPECT_THROW(require_drawable(features_of(scene, to_string(technique)), scene.objects[0]), InputError);
 }
 
 /// Two different keys for one text would compile it twice; one key for two texts cannot be (assemble is pure).
@@ -182,7 +181,7 @@ TEST(ProgramText, DifferentFeaturesGiveDifferentText) {
         const Mesh mesh = build_mesh(scene.objects[0].mesh);
         std::map<std::string, Features> seen;
         for (const Technique &technique : pairwise_techniques()) {
-            const Features features = derive_features(scene, technique, scene.objects[0], mesh);
+            const Features features = prepare_object(scene, technique, scene.objects[0], mesh).program;
             const ProgramSource source = assemble(features, parts());
             const auto [found, is_new] = seen.emplace(source.vertex.text + source.fragment.text, features);
             EXPECT_TRUE(is_new || found->second == features) << scene.name << " " << to_string(technique);

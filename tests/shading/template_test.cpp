@@ -16,7 +16,10 @@ class Template : public testing::Test {
         folder_.write("a.glsl", text);
         folder_.write("b.glsl", other);
         const ShaderParts parts(Assets("shaders", folder_.path()));
-        const TemplateValues values{{{"on", true}, {"off", false}, {"kind.on", true}}, {{"name", "value"}}};
+        const TemplateValues values{.flags = {{"on", true}, {"off", false}, {"kind.on", true}, {"other.on", false}},
+                                    .texts = {{"name", "value"}},
+                                    .lists = {{"light", {"kind", "other"}}},
+                                    .choices = {"chosen", "kind.chosen", "other.chosen"}};
         return expand(parts, "a.glsl", values);
     }
     TemporaryFolder folder_;
@@ -37,7 +40,22 @@ TEST_F(Template, AndBindsTighterThanOr) {
 
 TEST_F(Template, ReplacesTextsAndIncludesPartsForAKind) {
     EXPECT_EQ(expand_text("int ${name}_${name};\n").text, "int value_value;\n");
-    EXPECT_EQ(expand_text("#include \"b.glsl\" with kind\n", "#if light.on\nyes\n#endif\n").text, "yes\n");
+    EXPECT_EQ(expand_text("#each light\n#include \"b.glsl\"\n#end\n", "#if light.on\nyes\n#endif\n").text, "yes\n");
+}
+
+TEST_F(Template, AChoiceBecomesABranchOnAUniform) {
+    EXPECT_EQ(expand_text("#choices\n#if chosen\na;\n#elif off\nb;\n#elif on\nc;\n#else\nd;\n#endif\n").text,
+              "uniform bool chosen;\nif (chosen) {\n    a;\n} else {\n    c;\n}\n");
+    EXPECT_EQ(expand_text("#if on || chosen\na;\n#endif\n").text, "a;\n");
+    EXPECT_EQ(expand_text("#if off && chosen\na;\n#elif on && !chosen\nb;\n#endif\n").text,
+              "if (!chosen) {\n    b;\n}\n");
+    EXPECT_EQ(expand_text("#each light\n#if light.chosen || chosen\na;\n#endif\n#end\n").text,
+              "if (kind_chosen || chosen) {\n    a;\n}\nif (other_chosen || chosen) {\n    a;\n}\n");
+}
+
+TEST_F(Template, WhatSeveralBranchesDeclareIsDeclaredBeforeThem) {
+    EXPECT_EQ(expand_text("#if chosen\n  float a = 1.0;\n  vec3 own = v;\n#else\n  float a = 2.0;\n#endif\n").text,
+              "  float a;\n  if (chosen) {\n      a = 1.0;\n      vec3 own = v;\n  } else {\n      a = 2.0;\n  }\n");
 }
 
 TEST_F(Template, RunsOfBlankLinesBecomeOneAndNoneLeads) { EXPECT_EQ(expand_text("\n\na\n\n\n\nb\n").text, "a\n\nb\n"); }

@@ -2,7 +2,7 @@
 
 #include "measure/stability/textbook.h"
 #include "reference/reference.h"
-#include "shading/features.h"
+#include "shading/prepared_object.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +28,7 @@ double brightest(const ReferenceFrame &truth) {
 }
 
 bool needs_guards(const StabilityCase &drawn, const std::vector<ObjectResources> &resources) {
-    const std::vector<Features> features = derive_features(drawn.scene, drawn.techniques.front(), resources);
+    const auto features = object_features(drawn.scene, drawn.techniques.front(), resources);
     return !std::ranges::all_of(features, [](const Features &f) { return without_guards(f) == f; });
 }
 

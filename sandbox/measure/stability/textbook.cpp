@@ -1,6 +1,7 @@
 #include "measure/stability/textbook.h"
 
 #include "reference/mesh_scene.h"
+#include "scene/light_kind.h"
 #include "scene/space.h"
 
 #include <cmath>
@@ -55,17 +56,17 @@ float highlight_cosine(Model model, const glm::vec3 &n, const glm::vec3 &l, cons
 /// All that one light adds at one point.
 glm::vec3 light_sum(const Light &light, const Material &material, float shininess, Model model, const glm::vec3 &p,
                     const glm::vec3 &n, const glm::vec3 &v) {
-    const bool directional = light.type == LightType::directional;
+    const bool positional = has_position(light);
     const glm::vec3 to_light = glm::vec3(light.position) - p;
-    const glm::vec3 l = directional ? glm::normalize(-glm::vec3(light.direction)) : glm::normalize(to_light);
+    const glm::vec3 l = positional ? glm::normalize(to_light) : glm::normalize(-glm::vec3(light.direction));
     float strength = 1;
-    if (!directional) {
+    if (positional) {
         const float d = glm::length(to_light);
         const auto &k = light.attenuation;
         strength = 1.0F / (static_cast<float>(k.constant) + static_cast<float>(k.linear) * d +
                            static_cast<float>(k.quadratic) * (d * d));
     }
-    if (light.type == LightType::spot && light.cutoff_degrees != 180) {
+    if (has_cone(light)) {
         const float c = glm::dot(-l, glm::normalize(glm::vec3(light.direction)));
         const float outer = std::cos(glm::radians(static_cast<float>(light.cutoff_degrees)));
         const float inner = std::cos(glm::radians(static_cast<float>(light.inner_cutoff_degrees)));

@@ -1,7 +1,7 @@
 #include "measure/work_precision/plan.h"
 
 #include "scene/scene_format.h"
-#include "shading/features.h"
+#include "shading/prepared_object.h"
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +75,7 @@ class Selection {
         if (why_refused(technique)) {
             return; // no such technique
         }
-        const auto features = derive_features(scene_, specialised(technique), resources_);
+        const auto features = object_features(scene_, specialised(technique), resources_);
         for (const auto &[other, its_features] : kept_) {
             if (other.program == technique.program && its_features == features) {
                 omitted.push_back({to_string(technique), "the same program as " + to_string(other)});

@@ -13,29 +13,29 @@ namespace sandbox {
 
 namespace {
 
-/// One switch for all lights of a type.
-void type_switches(Session &session) {
+/// One switch for all lights of a kind.
+void kind_switches(Session &session) {
     Scene &scene = session.document.scene;
-    for (const LightWord &word : light_words) {
-        const std::string name(word.word);
-        if (&word != light_words) {
+    for (const LightKind &kind : light_kinds) {
+        const std::string name(kind.word);
+        if (&kind != light_kinds.begin()) {
             same_line_if_fits(ImGui::CalcTextSize(name.c_str()).x + ImGui::GetFrameHeight() * 1.4F);
         }
-        bool on = std::ranges::any_of(scene.lights, [&](const Light &l) { return l.type == word.type && l.enabled; });
+        bool on = std::ranges::any_of(scene.lights, [&](const Light &l) { return l.type == kind.type && l.enabled; });
         if (ImGui::Checkbox(name.c_str(), &on)) {
-            switch_lights(scene, word.type, on);
+            switch_lights(scene, kind.type, on);
         }
         hint_for_item(session, fmt::format("Turns all {} lights on or off; adds one if there is none.", name));
     }
 }
 
-void type_choice(Session &session, Light &light) {
-    for (const LightWord &word : light_words) {
-        if (&word != light_words) {
+void kind_choice(Session &session, Light &light) {
+    for (const LightKind &kind : light_kinds) {
+        if (&kind != light_kinds.begin()) {
             ImGui::SameLine();
         }
-        if (ImGui::RadioButton(std::string(word.word).c_str(), light.type == word.type)) {
-            set_type(light, word.type, session.document.scene.camera);
+        if (ImGui::RadioButton(std::string(kind.word).c_str(), light.type == kind.type)) {
+            set_type(light, kind.type, session.document.scene.camera);
         }
     }
 }
@@ -49,8 +49,8 @@ void cone_switch(Session &session, Light &light, const Light &opened) {
 }
 
 void light_rows(Session &session, Light &light, const Light &opened) {
-    type_choice(session, light);
-    if (light.type == LightType::spot) {
+    kind_choice(session, light);
+    if (kind_of(light.type).conical) {
         cone_switch(session, light, opened);
     }
     const Light before = light;
@@ -73,7 +73,7 @@ bool light_entry(Session &session, std::size_t index) {
                        ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop,
                        ImVec2(ImGui::GetFontSize(), ImGui::GetFrameHeight()));
     ImGui::SameLine();
-    const std::string name = fmt::format("{}  {}", index + 1, word_of(light.type));
+    const std::string name = fmt::format("{}  {}", index + 1, kind_of(light.type).word);
     const std::string title = name + "###light"; // what stands before ### may change
     const float button = ImGui::GetFrameHeight();
     const float right_edge = ImGui::GetWindowContentRegionMax().x;
@@ -99,16 +99,16 @@ bool light_entry(Session &session, std::size_t index) {
 void add_buttons(Session &session) {
     Scene &scene = session.document.scene;
     bool first = true;
-    for (const LightWord &word : light_words) {
-        if (!can_add_light(scene, word.type)) {
+    for (const LightKind &kind : light_kinds) {
+        if (!can_add_light(scene, kind.type)) {
             continue;
         }
-        const std::string label = fmt::format("+ {}", word.word);
+        const std::string label = fmt::format("+ {}", kind.word);
         if (!std::exchange(first, false)) {
             same_line_if_fits(button_width(label));
         }
         if (ImGui::Button(label.c_str())) {
-            add_light(scene, word.type);
+            add_light(scene, kind.type);
         }
         hint_for_item(session, "Adds a light over the camera's right shoulder, up to 8 of each type.");
     }
@@ -118,7 +118,7 @@ void add_buttons(Session &session) {
 
 void lights_panel(Session &session) {
     Scene &scene = session.document.scene;
-    type_switches(session);
+    kind_switches(session);
     std::optional<std::size_t> removed;
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const ScopedId id(i);

@@ -1,5 +1,6 @@
 #include "ui/session/edits.h"
 
+#include "scene/light_kind.h"
 #include "scene/space.h"
 
 #include <algorithm>
@@ -59,10 +60,10 @@ void set_type(Light &light, LightType type, const Camera &camera) {
         return;
     }
     const Light untouched;
-    if (type != LightType::directional && light.position == untouched.position) {
+    if (kind_of(type).positional && light.position == untouched.position) {
         light.position = camera.target - unit_or_down(light.direction) * (0.6 * reach(camera));
     }
-    if (type != LightType::point && light.direction == untouched.direction) {
+    if (kind_of(type).directed && light.direction == untouched.direction) {
         light.direction = unit_or_down(camera.target - light.position);
     }
     light.type = type;

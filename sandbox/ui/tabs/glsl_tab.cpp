@@ -1,5 +1,6 @@
 #include "ui/tabs/bottom_tabs.h"
 
+#include "shading/prepared_object.h"
 #include "shading/program_source.h"
 #include "ui/tabs/line_diff.h"
 #include "ui/widgets/fonts.h"
@@ -35,8 +36,8 @@ std::vector<std::string> origin_names(const StageSource &stage) {
 Listing list_program(const Session &session, ViewPainter &painter, bool right) {
     const Scene &scene = session.document.scene;
     const auto resources = painter.renderer().resources().load(scene);
-    const Features features = derive_features(scene, session.technique(right), resources)[session.object];
-    const ProgramSource source = assemble(features, painter.renderer().parts());
+    const auto objects = prepare_objects(scene, session.technique(right), resources);
+    const ProgramSource source = assemble(objects[session.object].program, painter.renderer().parts());
     return {{source.vertex.text, source.fragment.text},
             {split_lines(source.vertex.text), split_lines(source.fragment.text)},
             {origin_names(source.vertex), origin_names(source.fragment)}};

@@ -1,9 +1,17 @@
 #include "shading/program_source.h"
 
+#include "shading/template_values.h"
+
+#include <fmt/format.h>
 #include <regex>
 #include <sstream>
 
 namespace sandbox {
+
+ProgramSource assemble(const Features &program, const ShaderParts &parts) {
+    return {expand(parts, "vertex.glsl", template_values(program, Stage::vertex)),
+            expand(parts, "fragment.glsl", template_values(program, Stage::fragment))};
+}
 
 std::string map_log(const std::string &log, const StageSource &source) {
     // Mesa "0:31(5): error", NVIDIA "0(31) : error", Intel and AMD "ERROR: 0:31: ..."
@@ -16,8 +24,7 @@ std::string map_log(const std::string &log, const StageSource &source) {
             const auto number = std::stoul(match[1].matched ? match[1].str() : match[2].str());
             if (number >= 1 && number <= source.origins.size()) {
                 const LineOrigin &origin = source.origins[number - 1];
-                line =
-                    match.prefix().str() + origin.part + ":" + std::to_string(origin.line) + ":" + match.suffix().str();
+                line = fmt::format("{}{}:{}:{}", match.prefix().str(), origin.part, origin.line, match.suffix().str());
             }
         }
         result += line + "\n";

@@ -1,5 +1,6 @@
-#include "shading/length_scale.h"
+#include "shading/eye_space.h"
 
+#include "scene/light_kind.h"
 #include "scene/space.h"
 
 #include <algorithm>
@@ -21,14 +22,12 @@ double reach_of(const Camera &camera, const Object &object, const Mesh &mesh) {
     return glm::length(middle + (object.transform.translate - camera.position)) + half.x + half.y + half.z;
 }
 
-} // namespace
-
 double length_scale(const Scene &scene, const Object &object, const Mesh &mesh) {
     const double reach = reach_of(scene.camera, object, mesh);
     const double low = reach > 0 ? std::min(reach, scene.camera.near_plane) : scene.camera.near_plane;
     double high = std::max(reach, scene.camera.near_plane);
     for (const Light &light : scene.lights) {
-        if (light.type != LightType::directional) {
+        if (has_position(light)) {
             high = std::max(high, glm::length(light.position - scene.camera.position));
         }
     }
@@ -36,6 +35,57 @@ double length_scale(const Scene &scene, const Object &object, const Mesh &mesh) 
         return 1;
     }
     return std::exp2(-std::nearbyint(0.5 * (std::log2(low) + std::log2(high))));
+}
+
+double largest_element(const glm::dmat3 &m) {
+    double largest = 0;
+    for (int i = 0; i < 9; ++i) {
+        largest = std::max(largest, std::abs(m[i / 3][i % 3]));
+    }
+    return largest;
+}
+
+glm::dmat3 normal_matrix(const glm::dmat3 &linear) {
+    const double scale = largest_element(linear);
+    if (scale == 0) {
+        return glm::dmat3(1);
+    }
+    const glm::dmat3 m = linear / scale; // products of elements neither overflow nor vanish
+    const glm::dmat3 cofactor(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+    const double sign = glm::dot(m[0], cofactor[0]) < 0 ? -1 : 1;
+    const double largest = largest_element(cofactor);
+    return largest > 0 ? cofactor * (sign / largest) : m;
+}
+
+} // namespace
+
+glm::dvec3 buffer_origin(const Mesh &mesh) {
+    const Bounds &bounds = mesh.bounds;
+    const glm::dvec3 middle = 0.5 * (bounds.low + bounds.high);
+    const double extent = glm::length(bounds.high - bounds.low);
+    // Nearer than that, at most four of float32's bits are lost.
+    const bool far = glm::length(middle) > 8 * extent;
+    return far ? middle : glm::dvec3(0);
+}
+
+EyeSpace eye_space(const Scene &scene, const Object &object, const Mesh &mesh) {
+    EyeSpace space;
+    const glm::dmat3 linear = linear_part(object.transform);
+    space.origin = buffer_origin(mesh);
+    space.scale = length_scale(scene, object, mesh);
+    const glm::dvec3 moved = linear * space.origin;
+    space.model = glm::dmat4(linear * space.scale);
+    space.model[3] =
+        glm::dvec4((moved + (object.transform.translate - scene.camera.position)) * space.scale, space.scale);
+    space.normals = normal_matrix(linear);
+    space.eye = (scene.camera.position - moved) * space.scale;
+    space.depth_per_octave = 1 / std::log2(scene.camera.far_plane / scene.camera.near_plane);
+    space.depth_at_1 = -std::log2(scene.camera.near_plane * space.scale) * space.depth_per_octave;
+    return space;
+}
+
+glm::dmat4 model_view_projection(const Scene &scene, const EyeSpace &space, double aspect) {
+    return view_projection(scene.camera, aspect) * space.model;
 }
 
 bool is_wide(const Scene &scene, const Object &object, const Mesh &mesh) {

@@ -1,0 +1,45 @@
+#include "shading/object_lights.h"
+
+namespace sandbox {
+ShiningTerms terms_on(const Object &object, const Light &light, Model model) {
+    const auto shines = [&](double intensity, const glm::dvec3 &color) {
+        return light.enabled && intensity != 0 && light.color * color != glm::dvec3(0);
+    };
+    return {.ambient = shines(light.ambient, object.material.ambient),
+            .diffuse = shines(light.diffuse, object.material.diffuse),
+            .specular = reflection(model).specular && shines(light.specular, object.material.specular)};
+}
+
+bool fades(const Light &light) {
+    return (has_position(light) && light.attenuation != Attenuation{}) || has_cone(light);
+}
+
+bool ambient_with_light(const Light &light, const Technique &technique) {
+    return technique.ambient == AmbientWhere::where_lit || (light.attenuate_ambient && fades(light));
+}
+
+ObjectLights lights_on_object(const Scene &scene, const Technique &technique, const Object &object) {
+    ObjectLights result;
+    glm::dvec3 constant = scene.ambient;
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        const Light &light = scene.lights[i];
+        const ShiningTerms terms = terms_on(object, light, technique.model);
+        const bool own_ambient = ambient_with_light(light, technique);
+        if (light.enabled && !own_ambient) {
+            constant += light.color * light.ambient;
+        }
+        const bool ambient = own_ambient && terms.ambient;
+        const bool attenuated = light.attenuate_ambient && fades(light);
+        if (ambient || terms.diffuse || terms.specular) {
+            result.of_kind[drawn_type(light)].push_back({.index = i,
+                                                         .ambient = ambient && !attenuated,
+                                                         .attenuated_ambient = ambient && attenuated,
+                                                         .diffuse = terms.diffuse,
+                                                         .specular = terms.specular});
+        }
+    }
+    result.constant_ambient = object.material.ambient * constant;
+    return result;
+}
+
+} // namespace sandbox

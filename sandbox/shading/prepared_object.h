@@ -1,0 +1,35 @@
+#pragma once
+
+#include "scene/resources.h"
+#include "shading/needs.h"
+
+#include <vector>
+
+namespace sandbox {
+
+/// What one draw of one object needs of scene and technique, decided once: programs, buffers and uniforms ask here.
+struct PreparedObject {
+    Features features;  ///< of the object
+    Features program;   ///< what its program holds: the same, or everything
+    ProgramNeeds needs; ///< of that program
+    ObjectLights lights;
+    EyeSpace space;
+};
+
+/// What a draw asks of its programs beside scene and technique.
+struct DrawOptions {
+    bool object_ids = false;
+    bool deep = false;   ///< what is_deep(scene, resources) says; the camera alone may make it so too
+    bool guarded = true; ///< false: without_guards()
+};
+
+PreparedObject prepare_object(const Scene &scene, const Technique &technique, const Object &object, const Mesh &mesh,
+                              const DrawOptions &options = {});
+/// Every object of the scene, in their order.
+std::vector<PreparedObject> prepare_objects(const Scene &scene, const Technique &technique,
+                                            const std::vector<ObjectResources> &resources, DrawOptions options = {});
+/// The features of every object.
+std::vector<Features> object_features(const Scene &scene, const Technique &technique,
+                                      const std::vector<ObjectResources> &resources);
+
+} // namespace sandbox
