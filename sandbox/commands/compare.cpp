@@ -6,7 +6,6 @@
 
 #include <cmath>
 #include <fmt/format.h>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
@@ -17,8 +16,9 @@ namespace {
 constexpr std::string_view reference_word = "reference";
 
 struct CompareFlags {
-    std::string scene, left, right, view;
-    std::string size{default_size};
+    std::string scene, right, view;
+    Technique left;
+    Size size = default_picture_size;
     bool json = false;
     std::optional<double> max_abs;
 };
@@ -116,27 +116,25 @@ bool within(const Metrics &metrics, double bound) {
 }
 
 int run_compare(const CompareFlags &flags, const CommonOptions &common) {
-    const Technique left = with_flag("--left", [&] { return parse_technique(flags.left); });
     const bool to_reference = is_reference(flags.right);
     const Technique right = with_flag("--right", [&] {
-        return to_reference ? reference_technique(left, flags.right) : parse_technique(flags.right);
+        return to_reference ? reference_technique(flags.left, flags.right) : parse_technique(flags.right);
     });
     if (flags.max_abs && !(std::isfinite(*flags.max_abs) && *flags.max_abs >= 0)) {
         throw InputError("--max-abs: expected a number >= 0");
     }
-    const Size size = with_flag("--size", [&] { return parse_size(flags.size); });
     const Scene scene = open_scene(common, flags.scene, flags.view);
 
     DrawingSession session(common);
-    const Frame drawn = session.renderer().render(scene, left, size, true);
-    const Comparison comparison = to_reference
-                                      ? compare_to_reference(drawn, scene, right, size, session.renderer().resources())
-                                      : Comparison{compare(drawn, session.renderer().render(scene, right, size, true))};
-    nlohmann::ordered_json all = figures(comparison, size);
+    const Frame drawn = session.renderer().render(scene, flags.left, flags.size, true);
+    const Comparison comparison =
+        to_reference ? compare_to_reference(drawn, scene, right, flags.size, session.renderer().resources())
+                     : Comparison{compare(drawn, session.renderer().render(scene, right, flags.size, true))};
+    nlohmann::ordered_json all = figures(comparison, flags.size);
     all["scene"] = flags.scene;
-    all["left"] = to_string(left);
+    all["left"] = to_string(flags.left);
     all["right"] = (to_reference ? "reference of " : "") + to_string(right);
-    all["size"] = flags.size;
+    all["size"] = fmt::format("{}x{}", flags.size.width, flags.size.height);
     all["renderer"] = session.context().renderer();
     print(flags.json ? all.dump(2) + "\n" : human_table(all));
     return flags.max_abs && !within(comparison.metrics, *flags.max_abs) ? 1 : 0;
@@ -145,18 +143,18 @@ int run_compare(const CompareFlags &flags, const CommonOptions &common) {
 } // namespace
 
 void add_compare(CLI::App &app, CommonOptions &common, Run &run) {
-    CLI::App *command = app.add_subcommand("compare", "Measure how far one picture of a scene is from another");
-    auto flags = std::make_shared<CompareFlags>();
-    command->add_option("SCENE", flags->scene, "Built-in name, .json or .obj")->type_name("")->required();
-    command->add_option("--left", flags->left, "Technique to judge")->type_name("T")->required();
-    command->add_option("--right", flags->right, "Technique, or reference, to judge it against")
-        ->type_name("T|reference[:key=value,...]")
+    CLI::App &command = *app.add_subcommand("compare", "Measure how far one picture of a scene is from another");
+    const auto flags = std::make_shared<CompareFlags>();
+    add_scene(command, flags->scene);
+    add_parsed(command, "--left", "T", flags->left, parse_technique, "Technique to judge")->required();
+    add_value(command, "--right", "T|reference[:key=value,...]", flags->right,
+              "Technique, or reference, to judge it against")
         ->required();
-    command->add_option("--size", flags->size, "Size of both pictures")->type_name("WxH")->capture_default_str();
-    command->add_option("--view", flags->view, "Named view of the scene")->type_name("NAME");
-    command->add_flag("--json", flags->json, "Print JSON; infinite figures are null");
-    command->add_option("--max-abs", flags->max_abs, "Exit 1 if max_abs is above this")->type_name("X");
-    command->footer(
+    add_parsed(command, "--size", "WxH", flags->size, parse_size, "Size of both pictures [1280x720]");
+    add_view_name(command, flags->view);
+    command.add_flag("--json", flags->json, "Print JSON; infinite figures are null");
+    add_value(command, "--max-abs", "X", flags->max_abs, "Exit 1 if max_abs is above this");
+    command.footer(
         "reference: the model of the left technique, per-pixel, every fault off, in double precision; keys of a\n"
         "technique, frequency and model change that. Errors use the pixels where both pictures show the\n"
         "same object, except those at an edge between triangles or at a jump of the equation in the\n"
@@ -165,8 +163,7 @@ void add_compare(CLI::App &app, CommonOptions &common, Run &run) {
         "  worst_pixel           where max_abs is, or the first pixel that is not finite (x, y)\n"
         "  worst_pixel_rounding  how far the reference's colour moves there when float32 rounds the\n"
         "                        corners of the triangle: no float32 renderer can promise less");
-    add_common_options(*command, common);
-    command->callback([flags, &common, &run] { run = [flags, &common] { return run_compare(*flags, common); }; });
+    run_when_chosen(command, common, run, flags, run_compare);
 }
 
 } // namespace sandbox

@@ -12,7 +12,6 @@
 
 #include <atomic>
 #include <csignal>
-#include <memory>
 #include <optional>
 
 namespace sandbox {
@@ -21,10 +20,11 @@ namespace {
 constexpr int interrupted_code = 130;
 
 struct ReportFlags {
-    std::string scene, size, view;
+    std::string scene, view;
     std::filesystem::path out;
     std::vector<std::string> merge;
-    int repeats = 0; ///< 0: the plan's own
+    std::optional<Size> size;   ///< absent: the plan's own
+    std::optional<int> repeats; ///< absent: the plan's own
     bool quick = false;
 };
 
@@ -39,12 +39,8 @@ void stop(int) {
 
 PlanOptions plan_options(const ReportFlags &flags) {
     PlanOptions options = flags.quick ? quick_plan() : PlanOptions{};
-    if (!flags.size.empty()) {
-        options.size = with_flag("--size", [&] { return parse_size(flags.size); });
-    }
-    if (flags.repeats > 0) {
-        options.repeats = flags.repeats;
-    }
+    options.size = flags.size.value_or(options.size);
+    options.repeats = flags.repeats.value_or(options.repeats);
     return options;
 }
 
@@ -102,32 +98,25 @@ int run_report(const ReportFlags &flags, const CommonOptions &common) {
 } // namespace
 
 void add_report(CLI::App &app, CommonOptions &common, Run &run) {
-    CLI::App *command =
-        app.add_subcommand("report", "Measure error against run time: report.html, report.json, report.csv");
-    auto flags = std::make_shared<ReportFlags>();
-    command->add_option("SCENE", flags->scene, "Built-in name, .json or .obj")->type_name("");
-    command->add_option("--out", flags->out, "Folder for the three files; made if it does not exist")
-        ->type_name("DIR")
-        ->required();
-    command->add_option("--size", flags->size, "Size of every picture [640x480; --quick 320x240]")->type_name("WxH");
-    command->add_option("--repeats", flags->repeats, "Number of timed rounds [21; --quick 5]")
-        ->type_name("N")
+    CLI::App &command =
+        *app.add_subcommand("report", "Measure error against run time: report.html, report.json, report.csv");
+    const auto flags = std::make_shared<ReportFlags>();
+    add_value(command, "SCENE", "", flags->scene, "Built-in name, or path of a .json or .obj file");
+    add_value(command, "--out", "DIR", flags->out, "Folder for the three files; made if it does not exist")->required();
+    add_parsed(command, "--size", "WxH", flags->size, parse_size, "Size of every picture [640x480; --quick 320x240]");
+    add_value(command, "--repeats", "N", flags->repeats, "Number of timed rounds [21; --quick 5]")
         ->check(CLI::Range(1, 10000));
-    command->add_option("--view", flags->view, "Named view of the scene")->type_name("NAME");
-    command->add_flag("--quick", flags->quick, "Overview within a minute: small pictures, ladder up to 64 rings");
-    command
-        ->add_option("--merge", flags->merge,
-                     "Show the runs of earlier report.json files beside this one, or,\n"
-                     "without SCENE, beside each other")
-        ->type_name("A.json B.json");
-    command->footer(
+    add_view_name(command, flags->view);
+    command.add_flag("--quick", flags->quick, "Overview within a minute: small pictures, ladder up to 64 rings");
+    add_value(command, "--merge", "A.json B.json", flags->merge,
+              "Show the runs of earlier report.json files beside this one, or,\nwithout SCENE, beside each other");
+    command.footer(
         "Draws every frequency and model on a ladder of tessellations (8 to 512 rings; --quick 8 to 64) and variants\n"
         "on the scene's own meshes, judges each against the double-precision truth, and times all of them in\n"
         "turns, after 4 rounds that are dropped. The clock is the GPU's timer if a long draw shows that it agrees\n"
         "with the wall clock, else the wall clock around draw and glFinish. Ctrl-C stops the measuring and writes\n"
         "what there is (exit code 130); a second Ctrl-C ends at once.");
-    add_common_options(*command, common);
-    command->callback([flags, &common, &run] { run = [flags, &common] { return run_report(*flags, common); }; });
+    run_when_chosen(command, common, run, flags, run_report);
 }
 
 } // namespace sandbox

@@ -5,8 +5,6 @@
 #include "commands/session.h"
 #include "measure/report/stability_report.h"
 
-#include <memory>
-
 namespace sandbox {
 namespace {
 
@@ -23,8 +21,7 @@ int run_stability(const StabilityFlags &flags, const CommonOptions &common) {
                                     : std::vector<StabilityCase>{open_stability_case(flags.chosen, assets)};
     });
     if (cases.empty()) {
-        throw InputError("--assets: expected cases in " + (assets.folder() / "stability/cases").string() +
-                         ", found none");
+        throw InputError("--assets: expected cases in {}, found none", (assets.folder() / "stability/cases").string());
     }
     make_folder(flags.out);
     DrawingSession session(common);
@@ -51,23 +48,20 @@ int run_stability(const StabilityFlags &flags, const CommonOptions &common) {
 } // namespace
 
 void add_stability(CLI::App &app, CommonOptions &common, Run &run) {
-    CLI::App *command = app.add_subcommand(
+    CLI::App &command = *app.add_subcommand(
         "stability", "Run the stiff and extreme cases: stability.html, stability.json, stability.csv");
-    auto flags = std::make_shared<StabilityFlags>();
-    command->add_option("--out", flags->out, "Folder for the three files; made if it does not exist")
-        ->type_name("DIR")
-        ->required();
-    command->add_option("--case", flags->chosen, "Only this built-in case (see: list), or the case in a file")
-        ->type_name("NAME|FILE.json");
-    command->add_flag("--json", flags->json, "Print the JSON instead of the table");
-    command->footer(
+    const auto flags = std::make_shared<StabilityFlags>();
+    add_value(command, "--out", "DIR", flags->out, "Folder for the three files; made if it does not exist")->required();
+    add_value(command, "--case", "NAME|FILE.json", flags->chosen,
+              "Only this built-in case (see: list), or the case in a file");
+    command.add_flag("--json", flags->json, "Print the JSON instead of the table");
+    command.footer(
         "Draws every case in the textbook's form and in this program's, and judges both against the\n"
         "double-precision reference. Exit code 1 if this program breaks a bound. A case is a JSON file such as\n"
         "  {\"group\": \"spot\", \"symptom\": \"...\", \"cause\": \"...\", \"source\": \"...\",\n"
         "   \"scene\": \"spot-light\", \"set\": [\"lights[0].cutoff_degrees=0.1\"], \"bound\": 0.004}\n"
         "with, if need be, techniques, textbook (a technique) and unit (\"brightest value\").");
-    add_common_options(*command, common);
-    command->callback([flags, &common, &run] { run = [flags, &common] { return run_stability(*flags, common); }; });
+    run_when_chosen(command, common, run, flags, run_stability);
 }
 
 } // namespace sandbox

@@ -78,7 +78,7 @@ RowGroup group_from(const std::string &name) {
                                 RowGroup::claim};
     const auto found = std::ranges::find(groups, name, [](RowGroup group) { return name_of(group); });
     if (found == groups.end()) {
-        throw InputError(fmt::format("group: unknown value '{}'", name));
+        throw InputError("group: unknown value '{}'", name);
     }
     return *found;
 }
@@ -258,15 +258,15 @@ std::vector<ReportRun> read_report_json(std::string_view text, std::string_view 
     try {
         const Json json = Json::parse(text);
         if (!json.is_object() || json.value("format", "") != format) {
-            throw InputError(fmt::format("expected a report.json of this program (\"format\": \"{}\")", format));
+            throw InputError("expected a report.json of this program (\"format\": \"{}\")", format);
         }
         for (const Json &run : json.at("runs")) {
             runs.push_back(run_from(run, name));
         }
     } catch (const InputError &error) {
-        throw InputError(fmt::format("{}: {}", name, error.what()));
+        throw InputError("{}: {}", name, error.what());
     } catch (const Json::exception &error) {
-        throw InputError(fmt::format("{}: expected a report.json of this program: {}", name, error.what()));
+        throw InputError("{}: expected a report.json of this program: {}", name, error.what());
     }
     return runs;
 }

@@ -33,15 +33,14 @@ class CaseReader {
         try {
             json_ = json::parse(text);
         } catch (const json::exception &error) {
-            throw InputError(fmt::format("{}: expected JSON: {}", file_, error.what()));
+            throw InputError("{}: expected JSON: {}", file_, error.what());
         }
         if (!json_.is_object()) {
-            throw InputError(fmt::format("{}: expected an object, got {}", file_, json_.dump()));
+            throw InputError("{}: expected an object, got {}", file_, json_.dump());
         }
         for (const auto &[key, value] : json_.items()) {
             if (std::ranges::find(known_keys, key) == known_keys.end()) {
-                throw InputError(
-                    fmt::format("{}: {}: unknown key of a stability case{}", file_, key, suggestion(key, known_keys)));
+                throw InputError("{}: {}: unknown key of a stability case{}", file_, key, suggestion(key, known_keys));
             }
         }
         const json usual{"per-pixel/blinn-phong", "per-pixel/phong", "per-pixel/blinn-phong:program=full",
@@ -77,11 +76,11 @@ class CaseReader {
     }
 
     void expect(bool good, const std::string &key, const std::string &what) const {
+        if (!good && !json_.contains(key)) {
+            throw InputError("{}: {}: missing; expected {}", file_, key, what);
+        }
         if (!good) {
-            const auto found = json_.find(key);
-            throw InputError(found == json_.end()
-                                 ? fmt::format("{}: {}: missing; expected {}", file_, key, what)
-                                 : fmt::format("{}: {}: expected {}, got {}", file_, key, what, found->dump()));
+            throw InputError("{}: {}: expected {}, got {}", file_, key, what, json_[key].dump());
         }
     }
 
@@ -96,7 +95,7 @@ class CaseReader {
         try {
             return work();
         } catch (const InputError &error) {
-            throw InputError(fmt::format("{}: {}: {}", file_, key, error.what()));
+            throw InputError("{}: {}: {}", file_, key, error.what());
         }
     }
 
@@ -183,9 +182,8 @@ StabilityCase open_stability_case(const std::string &name_or_file, const Assets 
         names.push_back(known.name);
     }
     const std::string_view nearest = nearest_word(name_or_file, names);
-    throw InputError(
-        fmt::format("there is no case '{}'; {}", name_or_file,
-                    nearest.empty() ? "`list` names them all" : fmt::format("did you mean '{}'?", nearest)));
+    throw InputError("there is no case '{}'; {}", name_or_file,
+                     nearest.empty() ? "`list` names them all" : fmt::format("did you mean '{}'?", nearest));
 }
 
 } // namespace sandbox
