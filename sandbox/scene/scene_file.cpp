@@ -3,7 +3,8 @@
 #include "image/error.h"
 #include "image/file_io.h"
 #include "scene/obj_reader.h"
-#include "scene/scene_json.h"
+#include "scene/scene_read.h"
+#include "scene/scene_write.h"
 #include "scene/suggest.h"
 
 #include <algorithm>

@@ -4,7 +4,6 @@
 #include "scene/scene.h"
 
 #include <filesystem>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,16 +22,6 @@ Scene parse_scene(std::string_view text, std::string_view name, const std::files
 /// The scene as JSON text (two-space indent); keys at their defaults are left out. Reading it back gives an equal
 /// scene.
 std::string scene_text(const Scene &scene);
-
-/// `lights[0].diffuse=0.5`: one value changed, checked by the same rules; VALUE is JSON, or a bare word as a string.
-Scene with_setting(const Scene &scene, std::string_view path_equals_value);
-/// Several values changed, then checked together. `name` stands before the path in messages ("--set"); textures and
-/// models are looked for in `folder`.
-Scene with_settings(const Scene &scene, std::span<const std::string> settings, std::string_view name,
-                    const std::filesystem::path &folder);
-
-/// The JSON schema of scene files, made from the reader's own table.
-std::string scene_schema();
 
 /// Names of the built-in scenes, in the order they are taught.
 std::vector<std::string> builtin_scenes(const Assets &assets);

@@ -1,4 +1,4 @@
-#include "scene/scene_json.h"
+#include "scene/scene_read.h"
 
 #include "image/error.h"
 #include "scene/scene_format.h"

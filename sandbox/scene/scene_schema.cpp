@@ -1,4 +1,4 @@
-#include "scene/scene_file.h"
+#include "scene/scene_schema.h"
 
 #include "scene/scene_format.h"
 #include "scene/scene_json.h"

@@ -1,7 +1,8 @@
-#include "scene/scene_file.h"
+#include "scene/scene_setting.h"
 
 #include "image/error.h"
-#include "scene/scene_json.h"
+#include "scene/scene_read.h"
+#include "scene/scene_write.h"
 #include "scene/suggest.h"
 
 #include <algorithm>

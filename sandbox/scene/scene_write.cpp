@@ -1,4 +1,4 @@
-#include "scene/scene_json.h"
+#include "scene/scene_write.h"
 
 #include "scene/scene_format.h"
 

@@ -1,5 +1,6 @@
 #include "image/image_file.h"
 #include "scene/scene_file.h"
+#include "scene/scene_schema.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,4 +1,4 @@
-#include "scene/scene_file.h"
+#include "scene/scene_setting.h"
 #include "tools/error_of.h"
 
 #include <gtest/gtest.h>

@@ -3,6 +3,7 @@
 #include "image/error.h"
 #include "image/image_file.h"
 #include "scene/scene_file.h"
+#include "scene/scene_setting.h"
 #include "scene/suggest.h"
 
 #include <algorithm>

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "scene/scene_json.h"
+
+#include <filesystem>
+
+namespace sandbox {
+
+/// JSON to Scene, checked by the format's table; `name` is used in messages. Relative paths are resolved against
+/// `folder` by resolve_path(). Throws InputError.
+Scene read_scene(const Json &json, std::string_view name, const std::filesystem::path &folder);
+
+/// The path made absolute; a bare name that is no file in `folder` stays bare, because it may be a built-in one.
+std::string resolve_path(const std::string &path, const std::filesystem::path &folder);
+
+} // namespace sandbox
