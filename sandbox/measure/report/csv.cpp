@@ -28,7 +28,7 @@ void add_errors(CsvTable &table, const RowErrors &errors) {
         }
     });
     for (const ErrorPart &part : error_parts) {
-        if (const auto norms = part.norms(errors.split)) {
+        if (const Norms *norms = part.norms(errors.split)) {
             for (const Quantity<Norms> &norm : norm_quantities) {
                 table.cell(fmt::format("{}_{}", part.name, norm.name), norm, *norms);
             }
