@@ -55,6 +55,8 @@ Image decode_png(std::string_view bytes, std::string_view name) {
     std::vector<unsigned char> rgba(length);
     check(spng_decode_image(decoder.get(), rgba.data(), length, SPNG_FMT_RGBA8, SPNG_DECODE_TRNS), name);
     check(spng_decode_chunks(decoder.get()), name); // what follows the picture may be damaged, too
+    // libspng does not miss the checksum (4 bytes, as the type) of the last chunk.
+    check(bytes.size() < bytes.rfind("IEND") + 8 ? SPNG_IO_EOF : SPNG_OK, name);
     return from_bytes({static_cast<int>(header.width), static_cast<int>(header.height)}, rgba.data(), 4);
 }
 
