@@ -77,7 +77,7 @@ class Reader {
     std::filesystem::path folder_;
 
     [[noreturn]] void refuse(const std::string &path, const std::string &what) const {
-        throw InputError(fmt::format("{}: {}{}{}", name_, path, path.empty() ? "" : ": ", what));
+        throw InputError("{}: {}{}{}", name_, path, path.empty() ? "" : ": ", what);
     }
     void expect(bool good, const std::string &path, const std::string &what, const Json &json) const {
         if (!good) {

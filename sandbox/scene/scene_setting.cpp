@@ -44,7 +44,7 @@ class Setting {
     std::string_view rest_; ///< of the path
     std::string label_;
 
-    [[noreturn]] void refuse(const std::string &what) const { throw InputError(fmt::format("{}: {}", label_, what)); }
+    [[noreturn]] void refuse(const std::string &what) const { throw InputError("{}: {}", label_, what); }
 
     /// JSON, or a bare word as a string.
     [[nodiscard]] Json parse_value(std::string_view text) const {

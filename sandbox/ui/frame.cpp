@@ -1,6 +1,7 @@
 #include "ui/frame.h"
 
 #include "ui/keys.h"
+#include "ui/menu_bar.h"
 #include "ui/panels/panels.h"
 #include "ui/views/viewports.h"
 #include "ui/widgets/theme.h"
@@ -50,8 +51,7 @@ void draw_bottom(Session &session, ViewPainter &painter, BottomPanel &panel, ImV
     ImGui::End();
 }
 
-} // namespace
-
+/// The hint about what the mouse is over or, without one, the last message.
 void status_line(Session &session, float height) {
     StatusLine &status = session.status;
     if (status.message != session.message.text) {
@@ -68,6 +68,8 @@ void status_line(Session &session, float height) {
         ImGui::TextUnformatted(session.message.text.c_str());
     }
 }
+
+} // namespace
 
 void draw_frame(Session &session, ViewPainter &painter, BottomPanel &bottom_panel) {
     session.hint.clear();

@@ -22,21 +22,19 @@ Arrivals &arrivals_of(GLFWwindow *window) {
 }
 
 void on_key(GLFWwindow *window, int key, int scancode, int action, int mods) {
-    Arrivals &arrivals = arrivals_of(window);
-    if (action != GLFW_RELEASE) {
+    if (Arrivals &arrivals = arrivals_of(window); action != GLFW_RELEASE) {
         arrivals.keys.push_back({layout_key(key, scancode), mods, action == GLFW_REPEAT});
     }
 }
 
-void on_character(GLFWwindow *window, unsigned int character) {
-    Arrivals &arrivals = arrivals_of(window);
-    arrivals.question_mark |= character == '?';
-}
+void on_character(GLFWwindow *window, unsigned int character) { arrivals_of(window).question_mark |= character == '?'; }
 
 void on_drop(GLFWwindow *window, int count, const char **paths) {
-    Arrivals &arrivals = arrivals_of(window);
-    arrivals.dropped.assign(paths, paths + count);
+    arrivals_of(window).dropped.assign(paths, paths + count);
 }
+
+/// What else arrives may change the picture, too.
+template <class... Details> void on_anything(GLFWwindow *window, Details...) { arrivals_of(window); }
 
 void set_hints() {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
@@ -79,14 +77,14 @@ void GlfwWindow::install_callbacks(GLFWwindow *window) {
     glfwSetKeyCallback(window, on_key);
     glfwSetCharCallback(window, on_character);
     glfwSetDropCallback(window, on_drop);
-    glfwSetCursorPosCallback(window, [](GLFWwindow *w, double, double) { arrivals_of(w); });
-    glfwSetCursorEnterCallback(window, [](GLFWwindow *w, int) { arrivals_of(w); });
-    glfwSetMouseButtonCallback(window, [](GLFWwindow *w, int, int, int) { arrivals_of(w); });
-    glfwSetScrollCallback(window, [](GLFWwindow *w, double, double) { arrivals_of(w); });
-    glfwSetWindowFocusCallback(window, [](GLFWwindow *w, int) { arrivals_of(w); });
-    glfwSetWindowCloseCallback(window, [](GLFWwindow *w) { arrivals_of(w); });
-    glfwSetWindowRefreshCallback(window, [](GLFWwindow *w) { arrivals_of(w); });
-    glfwSetFramebufferSizeCallback(window, [](GLFWwindow *w, int, int) { arrivals_of(w); });
+    glfwSetCursorPosCallback(window, on_anything);
+    glfwSetCursorEnterCallback(window, on_anything);
+    glfwSetMouseButtonCallback(window, on_anything);
+    glfwSetScrollCallback(window, on_anything);
+    glfwSetWindowFocusCallback(window, on_anything);
+    glfwSetWindowCloseCallback(window, on_anything);
+    glfwSetWindowRefreshCallback(window, on_anything);
+    glfwSetFramebufferSizeCallback(window, on_anything);
 }
 
 bool GlfwWindow::close_asked() const { return glfwWindowShouldClose(window_) == GLFW_TRUE; }

@@ -1,15 +1,14 @@
-#include "ui/frame.h"
+#include "ui/menu_bar.h"
 
-#include "ui/keys.h"
-#include "ui/tabs/bottom_tabs.h"
+#include "ui/actions.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
 #include <algorithm>
+#include <cctype>
 #include <fmt/format.h>
 #include <imgui.h>
 #include <string>
-#include <utility>
 
 namespace sandbox {
 
@@ -29,56 +28,31 @@ void scene_menu(Session &session) {
     ImGui::EndMenu();
 }
 
-void edit_menu(Session &session) {
-    if (!ImGui::BeginMenu("Edit")) {
+void action_menu(Session &session, const char *title, Action::Group group) {
+    if (!ImGui::BeginMenu(title)) {
         return;
     }
-    if (ImGui::MenuItem("Undo", "Ctrl+Z", false, session.history.can_undo())) {
-        undo(session);
-    }
-    if (ImGui::MenuItem("Redo", "Ctrl+Shift+Z", false, session.history.can_redo())) {
-        redo(session);
-    }
-    ImGui::Separator();
-    if (ImGui::MenuItem("Exchange A and B", "X")) {
-        std::swap(session.document.left, session.document.right);
-    }
-    if (ImGui::MenuItem("Scene as opened")) {
-        session.document.scene = session.document.opened->scene;
-    }
-    ImGui::EndMenu();
-}
-
-void window_menu(Session &session) {
-    if (!ImGui::BeginMenu("Window")) {
-        return;
-    }
-    Appearance &look = session.appearance;
-    ImGui::MenuItem("Dark", "T", &look.dark);
-    ImGui::Separator();
-    ImGui::MenuItem("Panels", "Tab", &look.panels);
-    for (std::size_t tab = 0; tab < std::size(bottom_tabs); ++tab) {
-        const BottomTab &row = bottom_tabs[tab];
-        if (ImGui::MenuItem(row.title, std::string(1, row.key).c_str(), look.tab == tab)) {
-            toggle_tab(session, tab);
+    for (const Action &action : actions()) {
+        if (action.group == group) {
+            std::string name = action.name;
+            name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
+            if (ImGui::MenuItem(name.c_str(), action.shown.c_str(), action.is_on && action.is_on(session),
+                                !action.is_usable || action.is_usable(session))) {
+                action.run(session);
+            }
         }
     }
-    ImGui::MenuItem("Full screen", "F11", &look.full_screen);
-    ImGui::Separator();
-    ImGui::TextColored(quiet_text(), "Ctrl + and Ctrl - scale everything");
-    if (ImGui::MenuItem("Quit", "Ctrl+Q")) {
-        session.requests.quit = true;
-    }
     ImGui::EndMenu();
 }
 
-void view_buttons(Session &session) {
+void layout_buttons(Session &session) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {2, 0});
-    for (const LayoutChoice &choice : layout_choices) {
-        if (toggle_button(choice.name, session.view.layout == choice.layout)) {
-            session.view.layout = choice.layout;
+    for (const Action &action : actions()) {
+        if (action.group == Action::Group::layout &&
+            toggle_button(session, action.name, action.is_on(session),
+                          fmt::format("{} ({}).", action.help, action.shown))) {
+            action.run(session);
         }
-        hint_for_item(session, fmt::format("{} ({}).", choice.help, choice.key));
     }
     ImGui::PopStyleVar();
 }
@@ -86,15 +60,13 @@ void view_buttons(Session &session) {
 void right_buttons(Session &session) {
     const float width = button_width("Capture") + button_width("?") + ImGui::GetStyle().ItemSpacing.x * 2;
     ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowWidth() - width));
-    if (ImGui::Button("Capture")) {
+    if (button(session, "Capture",
+               "Writes the views, without the panels, as a PNG, and beside it a file that reproduces them (F12).")) {
         session.requests.capture = true;
     }
-    hint_for_item(session,
-                  "Writes the views, without the panels, as a PNG, and beside it a file that reproduces them (F12).");
-    if (ImGui::Button("?")) {
+    if (button(session, "?", "Keys and mouse (F1).")) {
         session.appearance.key_list = !session.appearance.key_list;
     }
-    hint_for_item(session, "Keys and mouse (F1).");
 }
 
 } // namespace
@@ -104,10 +76,10 @@ void menu_bar(Session &session) {
         return;
     }
     scene_menu(session);
-    edit_menu(session);
-    window_menu(session);
+    action_menu(session, "Edit", Action::Group::edit);
+    action_menu(session, "Window", Action::Group::window);
     ImGui::Spacing();
-    view_buttons(session);
+    layout_buttons(session);
     right_buttons(session);
     ImGui::EndMainMenuBar();
 }

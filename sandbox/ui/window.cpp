@@ -10,12 +10,11 @@
 #include "ui/glfw_window.h"
 #include "ui/gui.h"
 #include "ui/keys.h"
-#include "ui/session/capture_files.h"
 #include "ui/session/open_file.h"
+#include "ui/session/written_files.h"
 
 #include <GLFW/glfw3.h>
 #include <algorithm>
-#include <exception>
 #include <imgui.h>
 #include <memory>
 
@@ -174,24 +173,20 @@ void Window::answer_requests() {
 }
 
 void Window::open(const std::string &name_or_path) {
-    try {
+    attempt(session_, "", [&] {
         const OpenedFile file = open_file(name_or_path, assets_);
         painter_.renderer().resources().load(file.scene); // refuses textures and models that cannot be read
         show_document(session_, document_from(file, session_));
         take_view(session_.view, file);
         session_.message = {"Opened " + file.name + ".", false};
-    } catch (const std::exception &error) {
-        session_.message = {error.what(), true};
-    }
+    });
 }
 
 void Window::capture() {
-    try {
+    attempt(session_, "Not captured: ", [&] {
         const DrawnBy by{context_->renderer(), context_->version()};
         session_.message = {"Captured to " + capture_views(session_, painter_, by).string(), false};
-    } catch (const std::exception &error) {
-        session_.message = {std::string("Not captured: ") + error.what(), true};
-    }
+    });
 }
 
 } // namespace

@@ -29,11 +29,10 @@ void wake_window() { glfwPostEmptyEvent(); }
 void job_progress_row(Session &session, BackgroundJob &job) {
     const bool cancelled = job.cancelled();
     ImGui::BeginDisabled(cancelled);
-    if (ImGui::Button("Cancel")) {
+    if (button(session, "Cancel", "Stops; what has been measured so far is kept.")) {
         job.cancel();
     }
     ImGui::EndDisabled();
-    hint_for_item(session, "Stops; what has been measured so far is kept.");
     ImGui::SameLine();
     const JobProgress progress = job.progress();
     const std::string text =

@@ -1,8 +1,10 @@
 #include "ui/jobs/stability_job.h"
 
+#include <utility>
+
 namespace sandbox {
 
-StabilityJob::StabilityJob(const DrawingSupplies &supplies, std::vector<std::pair<std::size_t, StabilityCase>> cases)
+StabilityJob::StabilityJob(const DrawingSupplies &supplies, std::vector<StabilityCase> cases)
     : cases_(std::move(cases)),
       drawing_(supplies, [this](Renderer &renderer, JobReporter &reporter) { return run(renderer, reporter); }) {}
 
@@ -10,19 +12,18 @@ StabilityJob::Nothing StabilityJob::run(Renderer &renderer, JobReporter &reporte
     Target target(stability_timed_size);
     const StabilityDraw draw = cases_drawn_by(renderer, target);
     for (std::size_t i = 0; i < cases_.size(); ++i) {
-        const auto &[number, definition] = cases_[i];
-        reporter.say(definition.name);
+        reporter.say(cases_[i].name);
         if (!reporter.report(static_cast<double>(i) / static_cast<double>(cases_.size()))) {
             break;
         }
-        StabilityResult result = run_stability_case(definition, draw);
+        StabilityResult result = run_stability_case(cases_[i], draw);
         const std::lock_guard lock(mutex_);
-        finished_.emplace_back(number, std::move(result));
+        finished_.push_back(std::move(result));
     }
     return {};
 }
 
-std::vector<std::pair<std::size_t, StabilityResult>> StabilityJob::take_finished() {
+std::vector<StabilityResult> StabilityJob::take_finished() {
     const std::lock_guard lock(mutex_);
     return std::exchange(finished_, {});
 }

@@ -13,6 +13,7 @@ namespace sandbox {
 struct ListedCase {
     StabilityCase definition;
     std::optional<StabilityResult> result; ///< none: not run yet
+    [[nodiscard]] const std::string &name() const { return definition.name; }
 };
 
 std::vector<ListedCase> list_cases(std::vector<StabilityCase> cases);

@@ -15,10 +15,9 @@ constexpr Range distance_range{.low = 1e-6, .high = 1e9, .slider = {0.5, 50, "%.
 constexpr Range exposure_range{.low = 0, .high = 1e6, .slider = {0.05, 20, "%.3g", true}};
 
 void view_button(Session &session, const std::string &name, const Camera &camera) {
-    if (toggle_button(name, session.document.scene.camera == camera)) {
+    if (toggle_button(session, name, session.document.scene.camera == camera, "Look from here.")) {
         session.document.scene.camera = camera;
     }
-    hint_for_item(session, "Look from here.");
 }
 
 void named_views(Session &session) {

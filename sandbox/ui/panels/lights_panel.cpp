@@ -107,10 +107,9 @@ void add_buttons(Session &session) {
         if (!std::exchange(first, false)) {
             same_line_if_fits(button_width(label));
         }
-        if (ImGui::Button(label.c_str())) {
+        if (button(session, label, "Adds a light over the camera's right shoulder, up to 8 of each type.")) {
             add_light(scene, kind.type);
         }
-        hint_for_item(session, "Adds a light over the camera's right shoulder, up to 8 of each type.");
     }
 }
 

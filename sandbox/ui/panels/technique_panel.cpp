@@ -35,14 +35,13 @@ void side_cell(Session &session, const TechniqueKey &key, int value, bool right)
         return;
     }
     const bool set = key.get(technique) == value;
-    ImGui::PushID(right ? 1 : 0);
+    const ScopedId id(right ? "B" : "A");
     ImGui::PushStyleColor(ImGuiCol_CheckMark, side_color(right));
     if (mark(key, set)) {
         set_key(technique, key, set ? 0 : value);
     }
     ImGui::PopStyleColor();
     hint_for_item(session, fmt::format("{}, {}", right ? "B" : "A", value_hint(key, value)));
-    ImGui::PopID();
 }
 
 /// Quiet text beside the label, or under it where the column is too narrow.
@@ -97,8 +96,7 @@ void value_row(Session &session, const TechniqueKey &key, int value) {
     if (best == ValueUse::refused) {
         return;
     }
-    ImGui::PushID(key.name.data());
-    ImGui::PushID(value);
+    const ScopedId id(title_of(key, value));
     ImGui::TableNextRow();
     ImGui::TableSetColumnIndex(0);
     label_cell(session, key, value, best == ValueUse::open);
@@ -106,8 +104,6 @@ void value_row(Session &session, const TechniqueKey &key, int value) {
         ImGui::TableSetColumnIndex(right ? 2 : 1);
         side_cell(session, key, value, right);
     }
-    ImGui::PopID();
-    ImGui::PopID();
 }
 
 /// A row for each value but the default of all settings of this kind.

@@ -1,6 +1,7 @@
 #include "ui/session/session.h"
 
 #include <algorithm>
+#include <exception>
 
 namespace sandbox {
 
@@ -22,6 +23,14 @@ const Light &Session::opened_light(std::size_t light) const {
     static const Light fresh;
     const auto &lights = document.opened->scene.lights;
     return light < lights.size() ? lights[light] : fresh;
+}
+
+void attempt(Session &session, const std::string &failure, const std::function<void()> &action) {
+    try {
+        action();
+    } catch (const std::exception &error) {
+        session.message = {failure + error.what(), true};
+    }
 }
 
 void show_document(Session &session, const Document &document) {

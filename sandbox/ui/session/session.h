@@ -5,6 +5,7 @@
 #include "ui/session/history.h"
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -76,6 +77,8 @@ struct Session {
     [[nodiscard]] Technique &technique(bool right) { return right ? document.right : document.left; }
 };
 
+/// Runs `action`; what it throws becomes the status line's message, after `failure`.
+void attempt(Session &session, const std::string &failure, const std::function<void()> &action);
 /// Replaces the document, as one step that can be undone.
 void show_document(Session &session, const Document &document);
 /// Opens the bottom panel at `tab`; folds it if that tab is open.

@@ -41,10 +41,10 @@ void draw_titles(Session &session) {
     for (std::size_t tab = 0; tab < std::size(bottom_tabs); ++tab) {
         const BottomTab &row = bottom_tabs[tab];
         const bool open = session.appearance.tab == tab;
-        if (toggle_button(row.title, open)) {
+        const char *fold = open ? "  Click again to fold it." : "";
+        if (toggle_button(session, row.title, open, fmt::format("{} ({}).{}", row.hint, row.key, fold))) {
             toggle_tab(session, tab);
         }
-        hint_for_item(session, fmt::format("{} ({}).{}", row.hint, row.key, open ? "  Click again to fold it." : ""));
         ImGui::SameLine(0, 2);
     }
     ImGui::NewLine();

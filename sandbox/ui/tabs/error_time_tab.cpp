@@ -2,7 +2,7 @@
 
 #include "ui/jobs/measured_rows.h"
 #include "ui/jobs/report_job.h"
-#include "ui/session/exported_files.h"
+#include "ui/session/written_files.h"
 #include "ui/tabs/error_time_view.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -26,7 +26,6 @@ class ErrorTimeTab final : public TabContent {
     void start(Session &session);
     void finish(Session &session);
     void show_measured_model(const WorkPrecision &measured, Model wished);
-    void write_files(Session &session) const;
     void controls(Session &session);
     void findings(Session &session);
     void facts() const;
@@ -82,35 +81,28 @@ void ErrorTimeTab::show_measured_model(const WorkPrecision &measured, Model wish
     view_.model = std::ranges::find(models, wished) != models.end() ? wished : models.back();
 }
 
-void ErrorTimeTab::write_files(Session &session) const {
-    try {
-        session.message = {"Exported to " + export_report(*run_, name_).string(), false};
-    } catch (const std::exception &error) {
-        session.message = {std::string("Not exported: ") + error.what(), true};
-    }
-}
-
 void ErrorTimeTab::controls(Session &session) {
-    if (toggle_button("quick", quick_)) {
+    if (toggle_button(session, "quick", quick_,
+                      "320x240, up to 64 rings, 5 rounds: an overview in less than a minute.")) {
         quick_ = true;
     }
-    hint_for_item(session, "320x240, up to 64 rings, 5 rounds: an overview in less than a minute.");
     ImGui::SameLine(0, 2);
-    if (toggle_button("full", !quick_)) {
+    if (toggle_button(session, "full", !quick_,
+                      "640x480, up to 512 rings, 21 rounds: figures to quote; takes many minutes.")) {
         quick_ = false;
     }
-    hint_for_item(session, "640x480, up to 512 rings, 21 rounds: figures to quote; takes many minutes.");
     ImGui::SameLine();
-    if (ImGui::Button("Run")) {
+    if (button(session, "Run",
+               "Measures the scene as it is now; times are steadiest while the window is left alone.")) {
         start(session);
     }
-    hint_for_item(session, "Measures the scene as it is now; times are steadiest while the window is left alone.");
     if (run_) {
         ImGui::SameLine();
-        if (ImGui::Button("Export")) {
-            write_files(session);
+        if (button(session, "Export", "Writes report.html, report.json and report.csv into a new folder.")) {
+            attempt(session, "Not exported: ", [&] {
+                session.message = {"Exported to " + export_report(*run_, name_).string(), false};
+            });
         }
-        hint_for_item(session, "Writes report.html, report.json and report.csv into a new folder.");
     }
 }
 

@@ -7,6 +7,8 @@
 #include "ui/widgets/widgets.h"
 
 #include <algorithm>
+#include <fmt/format.h>
+#include <iterator>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,37 +17,26 @@ namespace sandbox {
 
 namespace {
 
-/// Where buttons would take too many lines.
+/// Buttons beside each other; a list that opens if these would take too many lines (`narrow`).
 template <typename Choice>
-void combo(Session &session, const char *id, std::span<const Choice> choices, Choice &chosen, const char *hint) {
-    ImGui::SetNextItemWidth(ImGui::CalcTextSize("99th percentile").x + ImGui::GetFrameHeight() * 1.5F);
-    if (ImGui::BeginCombo(id, std::string(name_of(chosen)).c_str())) {
-        for (const Choice choice : choices) {
-            if (ImGui::Selectable(std::string(name_of(choice)).c_str(), choice == chosen)) {
-                chosen = choice;
+void choose(Session &session, const char *id, std::span<const Choice> choices, Choice &chosen, bool narrow,
+            const char *hint) {
+    std::vector<std::string> names;
+    std::ranges::transform(choices, std::back_inserter(names), [](Choice c) { return std::string(name_of(c)); });
+    auto index = static_cast<std::size_t>(std::ranges::find(choices, chosen) - choices.begin());
+    if (narrow) {
+        ImGui::SetNextItemWidth(ImGui::CalcTextSize("99th percentile").x + ImGui::GetFrameHeight() * 1.5F);
+        combo(session, id, names, index, hint);
+    } else {
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            if (i > 0) {
+                ImGui::SameLine(0, 2);
             }
+            index = toggle_button(session, names[i], i == index, hint) ? i : index;
         }
-        ImGui::EndCombo();
     }
-    hint_for_item(session, hint);
+    chosen = index < choices.size() ? choices[index] : chosen;
 }
-
-/// Beside each other.
-template <typename Choice>
-void buttons(Session &session, std::span<const Choice> choices, Choice &chosen, const char *hint) {
-    for (const Choice &choice : choices) {
-        if (&choice != choices.data()) {
-            ImGui::SameLine(0, 2);
-        }
-        if (toggle_button(std::string(name_of(choice)).c_str(), choice == chosen)) {
-            chosen = choice;
-        }
-        hint_for_item(session, hint);
-    }
-}
-
-constexpr const char *model_hint = "Techniques of this reflection model; each model is judged against its own truth.";
-constexpr const char *norm_hint = "Of the differences from the truth, over all channels of the compared pixels.";
 
 void legend_entry(Session &session, ErrorTimeView &view, std::size_t series) {
     const std::string name(name_of(all_frequencies[series]));
@@ -144,6 +135,18 @@ void tooltip(const WorkPrecision &measured, std::size_t row, float middle) {
     ImGui::PopStyleVar();
 }
 
+/// After an item that stands for a row: takes the row if it is clicked; the hint says what a click does.
+void row_clicks(Session &session, const WorkPrecision &measured, std::size_t row) {
+    const bool current = is_current(measured, session.document.scene);
+    session.hint = fmt::format("Click: this technique into A{}.  Right-click or Shift+click: into B.",
+                               current ? ", its mesh into both" : "; the scene keeps its mesh");
+    const bool left = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
+    const bool right = ImGui::IsMouseClicked(ImGuiMouseButton_Right);
+    if (left || right) {
+        take_row(session.document, measured, row, right || ImGui::GetIO().KeyShift);
+    }
+}
+
 void technique_cell(Session &session, const WorkPrecision &measured, std::size_t row) {
     const PlannedRow &plan = measured.rows[row].plan;
     const float em = ImGui::GetFontSize();
@@ -154,9 +157,8 @@ void technique_cell(Session &session, const WorkPrecision &measured, std::size_t
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + em * 1.2F);
     const std::string name =
         fmt::format("{}, {}", name_of(plan.technique.frequency), short_mesh_words(measured.meshes[plan.mesh]));
-    ImGui::PushID(static_cast<int>(row));
+    const ScopedId id(row);
     ImGui::Selectable(name.c_str(), false, ImGuiSelectableFlags_SpanAllColumns);
-    ImGui::PopID();
     if (ImGui::IsItemHovered()) {
         row_clicks(session, measured, row);
     }
@@ -166,15 +168,11 @@ void technique_cell(Session &session, const WorkPrecision &measured, std::size_t
 
 void error_time_choices(Session &session, const WorkPrecision &measured, ErrorTimeView &view, bool narrow) {
     const std::vector<Model> models = models_of(measured);
-    if (narrow) {
-        combo<Model>(session, "##model", models, view.model, model_hint);
-        ImGui::SameLine();
-        combo<ErrorNorm>(session, "##norm", error_norms, view.norm, norm_hint);
-    } else {
-        buttons<Model>(session, models, view.model, model_hint);
-        ImGui::SameLine();
-        buttons<ErrorNorm>(session, error_norms, view.norm, norm_hint);
-    }
+    choose<Model>(session, "##model", models, view.model, narrow,
+                  "Techniques of this reflection model; each model is judged against its own truth.");
+    ImGui::SameLine();
+    choose<ErrorNorm>(session, "##norm", error_norms, view.norm, narrow,
+                      "Of the differences from the truth, over all channels of the compared pixels.");
 }
 
 void error_time_legend(Session &session, ErrorTimeView &view) {
@@ -182,18 +180,6 @@ void error_time_legend(Session &session, ErrorTimeView &view) {
         legend_entry(session, view, series);
     }
     front_entry();
-}
-
-void row_clicks(Session &session, const WorkPrecision &measured, std::size_t row) {
-    const bool current = is_current(measured, session.document.scene);
-    session.hint = std::string(current ? "Click: this technique into A, its mesh into both.  "
-                                       : "Click: this technique into A; the scene keeps its mesh.  ") +
-                   "Right-click or Shift+click: into B.";
-    const bool left = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
-    const bool right = ImGui::IsMouseClicked(ImGuiMouseButton_Right);
-    if (left || right) {
-        take_row(session.document, measured, row, right || ImGui::GetIO().KeyShift);
-    }
 }
 
 void error_time_figure(Session &session, const WorkPrecision &measured, const ErrorTimeView &view, ImVec2 size) {
@@ -238,7 +224,7 @@ void cheapest_table(Session &session, const WorkPrecision &measured, const Error
         ImGui::TableNextColumn();
         ImGui::TextUnformatted(bound_name(bound).c_str());
         ImGui::TableNextColumn();
-        ImGui::PushID(bound_name(bound).c_str());
+        const ScopedId id(bound_name(bound));
         if (const auto row = cheapest(measured, view.model, view.norm, bound)) {
             ImGui::Text("%s ms", milliseconds_text(measured.rows[*row].time->median).c_str());
             ImGui::TableNextColumn();
@@ -247,7 +233,6 @@ void cheapest_table(Session &session, const WorkPrecision &measured, const Error
             ImGui::TableNextColumn();
             ImGui::TextColored(quiet_text(), "none of these");
         }
-        ImGui::PopID();
     }
     ImGui::EndTable();
 }

@@ -28,7 +28,4 @@ void error_time_figure(Session &session, const WorkPrecision &measured, const Er
 /// The cheapest technique within each tolerance.
 void cheapest_table(Session &session, const WorkPrecision &measured, const ErrorTimeView &view);
 
-/// Call after an item that stands for a row: takes the row where a click asks for it, and explains that in the hint.
-void row_clicks(Session &session, const WorkPrecision &measured, std::size_t row);
-
 } // namespace sandbox

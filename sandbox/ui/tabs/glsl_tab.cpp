@@ -82,17 +82,16 @@ void draw_listing(Session &session, const Listing &own, const Listing &other, st
     ImGui::EndChild();
 }
 
-std::size_t stage_choice() {
+std::size_t stage_choice(Session &session) {
     ImGuiStorage &state = *ImGui::GetStateStorage();
     const ImGuiID id = ImGui::GetID("stage");
     int stage = state.GetInt(id, 1);
-    for (const int i : {0, 1}) {
-        if (i == 1) {
-            ImGui::SameLine();
-        }
-        if (toggle_button(i == 0 ? "vertex shader" : "fragment shader", stage == i)) {
-            stage = i;
-        }
+    if (toggle_button(session, "vertex shader", stage == 0, "Runs once per vertex.")) {
+        stage = 0;
+    }
+    ImGui::SameLine();
+    if (toggle_button(session, "fragment shader", stage == 1, "Runs once per pixel.")) {
+        stage = 1;
     }
     state.SetInt(id, stage);
     return static_cast<std::size_t>(stage);
@@ -107,12 +106,11 @@ void column_title(Session &session, const Listing &listing, std::size_t stage, b
         ImGui::TextColored(error_text(), "not what A shows");
     }
     ImGui::SameLine();
-    ImGui::PushID(right ? 1 : 0);
+    const ScopedId id(right ? "B" : "A");
     if (ImGui::SmallButton("copy")) {
         ImGui::SetClipboardText(listing.text[stage].c_str());
         session.message = {"Copied.", false};
     }
-    ImGui::PopID();
 }
 
 /// The programs of A and B for the shown object, beside each other. A line that the other side lacks has the side's
@@ -135,7 +133,7 @@ void GlslTab::draw(Session &session, ViewPainter &painter) {
     try {
         const std::array<Listing, 2> listings{list_program(session, painter, false),
                                               list_program(session, painter, true)};
-        const std::size_t stage = stage_choice();
+        const std::size_t stage = stage_choice(session);
         if (objects.size() > 1) {
             ImGui::SameLine();
             ImGui::TextColored(quiet_text(), "of object %zu %s", session.object + 1,

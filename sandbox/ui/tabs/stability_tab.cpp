@@ -3,7 +3,7 @@
 #include "measure/report/stability_report.h"
 #include "reference/reference.h"
 #include "ui/jobs/stability_job.h"
-#include "ui/session/exported_files.h"
+#include "ui/session/written_files.h"
 #include "ui/tabs/stability_details.h"
 #include "ui/tabs/stability_table.h"
 #include "ui/widgets/theme.h"
@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <fmt/format.h>
 #include <imgui.h>
 
 namespace sandbox {
@@ -21,7 +22,9 @@ namespace {
 class StabilityTab final : public TabContent {
   public:
     explicit StabilityTab(const DrawingSupplies &supplies)
-        : supplies_(supplies), cases_(list_cases(stability_cases())), groups_(groups_of(cases_)) {}
+        : supplies_(supplies), cases_(list_cases(stability_cases())), groups_(groups_of(cases_)) {
+        groups_.insert(groups_.begin(), "all groups");
+    }
     void draw(Session &session, ViewPainter &painter) override;
     News take_news(Session &session) override;
 
@@ -30,7 +33,6 @@ class StabilityTab final : public TabContent {
     void take_finished();
     void finish(Session &session);
     void open(Session &session, ViewPainter &painter, std::size_t number);
-    void go_back(Session &session);
     void export_files(Session &session) const;
 
     void run_buttons(Session &session);
@@ -39,7 +41,8 @@ class StabilityTab final : public TabContent {
 
     DrawingSupplies supplies_;
     std::vector<ListedCase> cases_;
-    std::vector<std::string> groups_;
+    std::vector<std::string> groups_; ///< the first: all
+    std::size_t group_ = 0;
     CaseFilter filter_;
     std::optional<std::size_t> chosen_;
     std::optional<Document> before_;    ///< what was open before the first click on a case
@@ -49,15 +52,14 @@ class StabilityTab final : public TabContent {
 };
 
 bool shows_a_case(const Session &session, const std::vector<ListedCase> &cases) {
-    return std::ranges::any_of(
-        cases, [&](const ListedCase &listed) { return listed.definition.name == session.document.opened->name; });
+    return std::ranges::find(cases, session.document.opened->name, &ListedCase::name) != cases.end();
 }
 
 void StabilityTab::start(bool all) {
-    std::vector<std::pair<std::size_t, StabilityCase>> wanted;
+    std::vector<StabilityCase> wanted;
     for (std::size_t i = 0; i < cases_.size(); ++i) {
         if (all || i == chosen_) {
-            wanted.emplace_back(i, cases_[i].definition);
+            wanted.push_back(cases_[i].definition);
         }
     }
     try {
@@ -69,11 +71,10 @@ void StabilityTab::start(bool all) {
 }
 
 void StabilityTab::take_finished() {
-    for (auto &[number, result] : job_->take_finished()) {
-        cases_[number].result = std::move(result);
-        if (number == chosen_) {
-            details_.forget();
-        }
+    for (StabilityResult &result : job_->take_finished()) {
+        const auto listed = std::ranges::find(cases_, result.definition.name, &ListedCase::name);
+        listed->result = std::move(result);
+        details_.forget();
     }
 }
 
@@ -115,7 +116,7 @@ double exposure_of(const ListedCase &listed, ViewPainter &painter) {
 
 /// The case's scene in the views, as one step that can be undone.
 void StabilityTab::open(Session &session, ViewPainter &painter, std::size_t number) {
-    try {
+    attempt(session, "", [&] {
         const Document document = case_document(cases_[number].definition, exposure_of(cases_[number], painter));
         if (!shows_a_case(session, cases_)) {
             before_ = session.document;
@@ -123,77 +124,56 @@ void StabilityTab::open(Session &session, ViewPainter &painter, std::size_t numb
         show_document(session, document);
         chosen_ = number;
         details_.forget();
-    } catch (const std::exception &error) {
-        session.message = {error.what(), true};
-    }
-}
-
-void StabilityTab::go_back(Session &session) {
-    show_document(session, *before_);
-    before_.reset();
+    });
 }
 
 void StabilityTab::export_files(Session &session) const {
-    try {
+    attempt(session, "Not exported: ", [&] {
         const StabilityRun run{results_of(cases_), supplies_.by.renderer, SANDBOX_VERSION};
-        const std::string folder = export_stability(run).string();
-        const std::string part =
-            run.results.size() < cases_.size() ? "The cases that were run, exported to " : "Exported to ";
-        session.message = {part + folder, false};
-    } catch (const std::exception &error) {
-        session.message = {std::string("Not exported: ") + error.what(), true};
-    }
+        const bool all = run.results.size() == cases_.size();
+        session.message = {fmt::format("Exported {} to {}", all ? "all cases" : "the cases that were run",
+                                       export_stability(run).string()),
+                           false};
+    });
 }
 
 void StabilityTab::run_buttons(Session &session) {
-    if (ImGui::Button("Run all")) {
+    if (button(session, "Run all",
+               "Draws every case and judges it against the reference in double precision; takes some ten seconds.")) {
         start(true);
     }
-    hint_for_item(session,
-                  "Draws every case and judges it against the reference in double precision; takes some ten seconds.");
     ImGui::SameLine();
     ImGui::BeginDisabled(!chosen_);
-    if (ImGui::Button("Run this case")) {
+    if (button(session, "Run this case", "Runs the case that is selected in the list.")) {
         start(false);
     }
     ImGui::EndDisabled();
-    hint_for_item(session, "Runs the case that is selected in the list.");
     ImGui::SameLine();
     const bool any = std::ranges::any_of(cases_, [](const ListedCase &listed) { return listed.result.has_value(); });
     ImGui::BeginDisabled(!any);
-    if (ImGui::Button("Export")) {
+    if (button(session, "Export", "Writes stability.html, stability.json and stability.csv into a new folder.")) {
         export_files(session);
     }
     ImGui::EndDisabled();
-    hint_for_item(session, "Writes stability.html, stability.json and stability.csv into a new folder.");
 }
 
 void StabilityTab::filter_controls(Session &session) {
     const float em = ImGui::GetFontSize();
     same_line_if_fits(em * 9);
     ImGui::SetNextItemWidth(em * 9);
-    if (ImGui::BeginCombo("##group", filter_.group.empty() ? "all groups" : filter_.group.c_str())) {
-        if (ImGui::Selectable("all groups", filter_.group.empty())) {
-            filter_.group.clear();
-        }
-        for (const std::string &group : groups_) {
-            if (ImGui::Selectable(group.c_str(), group == filter_.group)) {
-                filter_.group = group;
-            }
-        }
-        ImGui::EndCombo();
+    if (combo(session, "##group", groups_, group_, "Lists one group only.")) {
+        filter_.group = group_ == 0 ? "" : groups_[group_];
     }
-    hint_for_item(session, "Lists one group only.");
     same_line_if_fits(em * 10);
     ImGui::Checkbox("textbook breaks", &filter_.textbook_breaks);
     hint_for_item(session, "Lists only the cases that were run and whose textbook form broke the bound.");
     if (before_ && shows_a_case(session, cases_)) {
         const std::string back = "Back to " + before_->opened->name;
-        same_line_if_fits(ImGui::CalcTextSize(back.c_str()).x + em);
-        if (ImGui::Button(back.c_str())) {
-            go_back(session);
+        same_line_if_fits(button_width(back));
+        if (button(session, back, "Opens what was open before the first case (Ctrl+Z goes back step by step).")) {
+            show_document(session, *before_);
+            before_.reset();
         }
-        hint_for_item(session, "Opens what was open before the first case (Ctrl+Z goes back step by step).");
     }
 }
 

@@ -74,10 +74,10 @@ void difference_scale(Session &session, const ViewPainter &painter, const Rect &
     ImGui::PopItemWidth();
     ImGui::SameLine();
     const double largest = painter.largest_difference();
-    if (ImGui::Button("fit") && largest > 0 && std::isfinite(largest)) {
+    if (button(session, "fit", "The gain at which the largest difference reaches the end of the scale.") &&
+        largest > 0 && std::isfinite(largest)) {
         session.view.gain = nearest_accepted(1 / largest, gain_range);
     }
-    hint_for_item(session, "The gain at which the largest difference reaches the end of the scale.");
     ImGui::SameLine();
     const std::string number = std::isfinite(largest) ? fmt::format("{:.3g}", largest) : "not finite";
     ImGui::TextColored(std::isfinite(largest) ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : error_text(),

@@ -133,9 +133,13 @@ bool control_row(Session &session, const Row &row, std::array<glm::dvec3, 2> &va
 bool choice_row(Session &session, const char *label, std::span<const std::string> names, std::size_t &chosen,
                 const char *hint) {
     row_label(label);
-    const ScopedId id(label);
+    return combo(session, fmt::format("##{}", label).c_str(), names, chosen, hint);
+}
+
+bool combo(Session &session, const char *id, std::span<const std::string> names, std::size_t &chosen,
+           const char *hint) {
     const std::size_t before = chosen;
-    if (ImGui::BeginCombo("##value", chosen < names.size() ? names[chosen].c_str() : "")) {
+    if (ImGui::BeginCombo(id, chosen < names.size() ? names[chosen].c_str() : "")) {
         for (std::size_t i = 0; i < names.size(); ++i) {
             const ScopedId name(i);
             if (ImGui::Selectable(names[i].c_str(), i == chosen)) {
@@ -146,6 +150,23 @@ bool choice_row(Session &session, const char *label, std::span<const std::string
     }
     hint_for_item(session, hint);
     return chosen != before;
+}
+
+bool button(Session &session, const std::string &label, const std::string &hint) {
+    const bool clicked = ImGui::Button(label.c_str());
+    hint_for_item(session, hint);
+    return clicked;
+}
+
+bool toggle_button(Session &session, const std::string &label, bool on, const std::string &hint) {
+    if (on) {
+        ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+        ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+        ImGui::PushStyleColor(ImGuiCol_Text, text_on_accent());
+    }
+    const bool clicked = button(session, label, hint);
+    ImGui::PopStyleColor(on ? 3 : 0);
+    return clicked;
 }
 
 void hint_for_item(Session &session, const std::string &hint) {
@@ -186,19 +207,6 @@ void same_line_if_fits(float width) {
 
 float button_width(const std::string &label) {
     return ImGui::CalcTextSize(label.c_str()).x + ImGui::GetStyle().FramePadding.x * 2;
-}
-
-bool toggle_button(const std::string &label, bool on) {
-    if (on) {
-        ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-        ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
-        ImGui::PushStyleColor(ImGuiCol_Text, text_on_accent());
-    }
-    const bool clicked = ImGui::Button(label.c_str());
-    if (on) {
-        ImGui::PopStyleColor(3);
-    }
-    return clicked;
 }
 
 } // namespace sandbox

@@ -28,10 +28,15 @@ bool control_row(Session &session, const Row &row, glm::dvec2 &value, const glm:
 bool control_row(Session &session, const Row &row, glm::dvec3 &value, const glm::dvec3 &opened);
 bool control_row(Session &session, const Row &row, std::array<glm::dvec3, 2> &value,
                  const std::array<glm::dvec3, 2> &opened);
-/// A list that opens; `chosen` is one of `names`.
 bool choice_row(Session &session, const char *label, std::span<const std::string> names, std::size_t &chosen,
                 const char *hint);
 
+/// Controls without a label, each with its hint.
+/// A list that opens; true if another of `names` was chosen.
+bool combo(Session &session, const char *id, std::span<const std::string> names, std::size_t &chosen, const char *hint);
+bool button(Session &session, const std::string &label, const std::string &hint);
+/// A button that stays pressed while `on`.
+bool toggle_button(Session &session, const std::string &label, bool on, const std::string &hint);
 /// The slider alone: as wide as the next item, over the usual part of the range and as far as `opened`.
 bool slider(Session &session, const Row &row, double &value, double opened);
 
@@ -49,8 +54,6 @@ ImTextureID texture_id(unsigned texture);
 void same_line_if_fits(float width);
 /// The width of a button with this label.
 float button_width(const std::string &label);
-/// A button that stays pressed while `on`; true when clicked.
-bool toggle_button(const std::string &label, bool on);
 
 /// While it lives, ImGui's names of items belong to `id`.
 struct ScopedId {

@@ -2,8 +2,8 @@
 
 #include "image/image_file.h"
 #include "tools/temporary_folder.h"
-#include "ui/session/exported_files.h"
 #include "ui/session/session.h"
+#include "ui/session/written_files.h"
 
 #include <algorithm>
 #include <filesystem>

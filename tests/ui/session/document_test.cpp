@@ -1,8 +1,8 @@
 #include "scene/scene_file.h"
 #include "tools/error_of.h"
 #include "tools/temporary_folder.h"
-#include "ui/session/capture_files.h"
 #include "ui/session/open_file.h"
+#include "ui/session/written_files.h"
 
 #include "capture/sidecar.h"
 #include "image/image_file.h"

@@ -1,11 +1,16 @@
-#include "ui/session/capture_files.h"
+#include "ui/session/written_files.h"
 
 #include "capture/sidecar.h"
 #include "image/error.h"
+#include "image/image_file.h"
+#include "measure/report/csv.h"
+#include "measure/report/report_html.h"
+#include "measure/report/report_json.h"
 
 #include <cctype>
 #include <cstdlib>
 #include <fmt/format.h>
+#include <functional>
 #include <system_error>
 #include <unistd.h>
 #include <vector>
@@ -26,9 +31,25 @@ std::string file_stem(const std::string &name) {
     return stem.empty() || stem.front() == '.' ? "scene" + stem : stem;
 }
 
-/// scene-007.png
-std::string numbered(const std::string &name, int number, const char *ending) {
-    return fmt::format("{}-{:03}{}", file_stem(name), number, ending);
+/// The first of name-001, name-002, ... in `folder` that `accept` takes.
+fs::path first_free(const fs::path &folder, const std::string &name, const char *ending,
+                    const std::function<bool(const fs::path &)> &accept) {
+    for (int number = 1; number < 100000; ++number) {
+        fs::path path = folder / fmt::format("{}-{:03}{}", file_stem(name), number, ending);
+        if (accept(path)) {
+            return path;
+        }
+    }
+    throw InputError("{}: holds too many captures of {}", folder.string(), name);
+}
+
+fs::path write_all(const std::string &folder_name, const std::string &stem, const std::string &html,
+                   const std::string &json, const std::string &csv) {
+    const fs::path folder = fs::absolute(new_folder(capture_folder(), folder_name));
+    write_file(folder / (stem + ".html"), html);
+    write_file(folder / (stem + ".json"), json);
+    write_file(folder / (stem + ".csv"), csv);
+    return folder;
 }
 
 } // namespace
@@ -51,27 +72,19 @@ PictureOptions picture_options(const Session &session, Size each) {
 }
 
 fs::path free_name(const fs::path &folder, const std::string &name) {
-    for (int number = 1; number < 100000; ++number) {
-        fs::path path = folder / numbered(name, number, ".png");
-        if (!fs::exists(path) && !fs::exists(sidecar_path(path))) {
-            return path;
-        }
-    }
-    throw InputError(folder.string() + ": holds too many captures of " + name);
+    return first_free(folder, name, ".png",
+                      [](const fs::path &path) { return !fs::exists(path) && !fs::exists(sidecar_path(path)); });
 }
 
 fs::path new_folder(const fs::path &folder, const std::string &name) {
-    for (int number = 1; number < 100000; ++number) {
-        fs::path path = folder / numbered(name, number, "");
+    return first_free(folder, name, "", [](const fs::path &path) {
         std::error_code error;
-        if (fs::create_directory(path, error)) {
-            return path;
-        }
+        const bool made = fs::create_directory(path, error);
         if (error && !fs::exists(path)) {
-            throw InputError("cannot make the folder " + path.string() + ": " + error.message());
+            throw InputError("cannot make the folder {}: {}", path.string(), error.message());
         }
-    }
-    throw InputError(folder.string() + ": holds too many folders of " + name);
+        return made;
+    });
 }
 
 fs::path capture_folder() {
@@ -87,6 +100,14 @@ fs::path capture_folder() {
         }
     }
     throw InputError("neither the current folder nor ~/Pictures can be written");
+}
+
+fs::path export_report(const ReportRun &run, const std::string &name) {
+    return write_all(name + "-report", "report", report_html({run}), report_json({run}), report_csv({run}));
+}
+
+fs::path export_stability(const StabilityRun &run) {
+    return write_all("stability", "stability", stability_html(run), stability_json(run), stability_csv(run));
 }
 
 } // namespace sandbox

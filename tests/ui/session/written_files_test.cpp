@@ -1,6 +1,6 @@
 #include "image/error.h"
 #include "tools/temporary_folder.h"
-#include "ui/session/capture_files.h"
+#include "ui/session/written_files.h"
 
 #include <filesystem>
 #include <gtest/gtest.h>
