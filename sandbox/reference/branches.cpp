@@ -13,13 +13,13 @@ namespace sandbox::reference {
 
 namespace {
 
-constexpr double negligible = 1e-6;       ///< a jump that no figure shows
-constexpr double far_from_a_branch = 0.1; ///< N.L and cosines do not change as much over edge_width
+constexpr double negligible = 1e-6;       ///< a smaller jump shows in no figure
+constexpr double far_from_a_branch = 0.1; ///< N.L and cosines change less over edge_width
 constexpr double steep_exponent = 0.5;    ///< f^n with a smaller n leaves 0 like a jump
 
 double largest(const glm::dvec3 &v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-/// The lengths whose difference gives the distance, as shares of it.
+/// The two positions' lengths as multiples of the distance, which is computed as their difference.
 double spread(const LightSetup &light, const glm::dvec3 &position, double d) {
     if (!has_position(light.light)) {
         return 0;
@@ -110,7 +110,7 @@ class Branches {
         return amount;
     }
 
-    /// f^n near f = 0 for small n: a rounding of f there is a jump of the highlight.
+    /// For small n, f^n rises so steeply at f = 0 that a rounding of f is a jump of the highlight.
     bool steep_highlight(std::size_t i, double noise) {
         const double n = raised_exponent(setup_, object_.material.shininess);
         if (!adds_highlight() || n == 0 || n > steep_exponent) {

@@ -3,7 +3,7 @@
 #include "reference/lighting.h"
 
 /// The equation at a point of a surface, and where it jumps: a gate, a hard cone, N turned to the viewer. There a
-/// rounding of float32 may take the other branch, with a large difference that is nobody's error.
+/// rounding of float32 may take the other branch: a large difference, but no error.
 namespace sandbox::reference {
 
 /// What float32 may lose of a quantity near 1: 8 units in the last place.
@@ -16,7 +16,7 @@ enum class Terms { all, body, highlight };
 struct SurfacePoint {
     glm::dvec3 position{0}; ///< as lit, from the eye
     glm::dvec3 raw_normal{0};
-    double normal_length = 1; ///< of raw_normal as interpolated: float32 rounds it by a share of 1, not of this
+    double normal_length = 1; ///< of the interpolated normal; its float32 rounding is a share of 1, not of this
     glm::dvec3 normal{0};     ///< raw_normal, turned to the viewer if the object is two-sided
     glm::dvec3 view{0};
     glm::dvec3 weights{0}; ///< of a triangle's corners, if it is on one

@@ -12,7 +12,7 @@ namespace sandbox::reference {
 
 namespace {
 
-/// a + v (b - a) + w (c - a): what is the same at all corners stays so to the last bit.
+/// a + v (b - a) + w (c - a): a value that all corners share comes out exactly.
 template <class T> T blend(const glm::dvec3 &weights, const T &a, const T &b, const T &c) {
     return a + weights.y * (b - a) + weights.z * (c - a);
 }
@@ -53,7 +53,7 @@ SurfacePoint Fragment::point_at(double dx, double dy) const {
     return point;
 }
 
-/// Where the vectors that are interpolated are worked out: N is not turned to the viewer there.
+/// Where interpolated vectors are computed: N is not turned to the viewer there.
 SurfacePoint Fragment::corner(int i) const {
     const glm::dvec3 &position = mesh_.positions[triangle_[i]];
     const glm::dvec3 &normal = mesh_.normals[triangle_[i]];
@@ -150,7 +150,7 @@ bool Fragment::checker_unstable() const {
                                       rounding * farthest);
 }
 
-/// Where the corners' normals all but cancel, float32 rounds what is left four times as coarsely as a normal, and more.
+/// Where the corners' normals nearly cancel, float32 rounds the rest at least four times as coarsely as a normal.
 bool Fragment::normal_unstable() const {
     const bool interpolated = setup_.technique.frequency != Frequency::flat &&
                               setup_.technique.frequency != Frequency::per_vertex &&
@@ -158,7 +158,7 @@ bool Fragment::normal_unstable() const {
     return interpolated && here_.normal_length < 0.25;
 }
 
-/// Vectors that are interpolated are as good as the corners'.
+/// Interpolated vectors are only as reliable as the corners'.
 bool Fragment::corner_light_unstable() const {
     const auto unstable = [&](const LightSetup &light) {
         return std::ranges::any_of(std::array{0, 1, 2},

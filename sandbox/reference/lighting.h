@@ -10,7 +10,7 @@
 /// The shading equations in double, one function a formula, for any point. Everything is measured from the eye
 /// (world axes, origin at the camera), so that scenes far from the world's origin lose nothing; colours are linear RGB.
 ///
-/// Where the equations leave a choice, the truth chooses:
+/// Where the equations leave a choice:
 /// - unit(0) = 0: a direction that does not exist lights nothing (an interpolated normal that cancels, V at the eye).
 /// - half_vector=constant: H = unit(unit(light position from the world's origin, or -direction) + view axis), the view
 ///   axis being -camera forward.
@@ -40,7 +40,7 @@ struct LightSetup {
     glm::dvec3 constant_half{0}; ///< H under half_vector=constant
 };
 
-/// A scene's lights (those switched on) and the technique, ready to be evaluated anywhere.
+/// What the equation needs of a scene and a technique at every point. Lights that are off are left out.
 struct Setup {
     Technique technique;
     glm::dvec3 eye{0};             ///< world space: what everything here is measured from
@@ -69,7 +69,7 @@ LightVectors light_vectors(const Setup &setup, const LightSetup &light, const gl
 /// The unit vectors whose cosine is f: R and V, or N and H; 0 where the model has no specular term.
 std::pair<glm::dvec3, glm::dvec3> highlight_vectors(Model model, const LightVectors &vectors, const glm::dvec3 &n,
                                                     const glm::dvec3 &v);
-/// n as it is raised: n_B for Blinn-Phong.
+/// The exponent: n, or n_B under Blinn-Phong.
 double raised_exponent(const Setup &setup, double shininess);
 
 /// Every intermediate of one light at one point. ambient, diffuse and specular are A_i, D_i, S_i: no material yet.
@@ -80,7 +80,7 @@ struct LightTerms {
     double s = 1;        ///< spot factor
     double s_uncut = 1;  ///< the spot factor as if the cone did not end: max(c, 0)^exponent
     double f = 0;        ///< max(R.V, 0) or max(N.H, 0)
-    double exponent = 0; ///< n as it is raised (n_B for Blinn-Phong)
+    double exponent = 0; ///< n, or n_B under Blinn-Phong
     double f_power = 0;  ///< f^n
     bool gate = false;   ///< does the specular term pass?
     glm::dvec3 ambient{0};

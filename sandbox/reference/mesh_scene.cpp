@@ -11,7 +11,7 @@ namespace sandbox::reference {
 
 namespace {
 
-/// Work is handed out in pieces of this many vertices or triangles.
+/// Vertices or triangles that one thread takes at a time.
 constexpr std::size_t piece = 1024;
 
 void for_pieces(std::size_t count, const std::function<void(std::size_t)> &work) {

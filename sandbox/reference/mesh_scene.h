@@ -9,8 +9,7 @@
 #include <span>
 #include <vector>
 
-/// The meshes of a scene with everything that the technique works out before there are pixels: at vertices, or once a
-/// triangle.
+/// The meshes of a scene, with what the technique computes before there are pixels: per vertex or per triangle.
 namespace sandbox::reference {
 
 struct MeshObject {
@@ -18,9 +17,9 @@ struct MeshObject {
     const Mesh *mesh = nullptr;
     WorldTransform to_world;
     BaseColor base;
-    std::vector<glm::dvec3> positions;   ///< a vertex each, as lit, from the eye
-    std::vector<glm::dvec3> normals;     ///< a vertex each, unit, world axes
-    std::vector<Reflected> lit;          ///< flat: a triangle each; per-vertex, hybrid: a vertex each; else empty
+    std::vector<glm::dvec3> positions;   ///< one per vertex, as lit, from the eye
+    std::vector<glm::dvec3> normals;     ///< one per vertex, unit, world axes
+    std::vector<Reflected> lit;          ///< flat: one per triangle; per-vertex, hybrid: one per vertex; else empty
     std::vector<unsigned char> unstable; ///< beside `lit`: float32 rounding may take the equation's other branch there
 };
 

@@ -26,7 +26,7 @@ template <class F, class Slope> double bracketed_root(const F &f, const Slope &s
     return x;
 }
 
-/// Roots of f on [stops[0], stops[count - 1]], given all its turning points there as the stops between.
+/// The roots of f on [stops[0], stops[count - 1]]; the stops between are all its turning points there.
 template <class F, class Slope>
 Roots roots_between(const F &f, const Slope &slope, const std::array<double, 5> &stops, int count) {
     Roots roots;
@@ -47,7 +47,7 @@ Roots roots_between(const F &f, const Slope &slope, const std::array<double, 5> 
     return roots;
 }
 
-/// The interval's ends with the turning points inside it between them.
+/// -bound, the turning points inside the interval, bound.
 int stops_of(double bound, const Roots &turning, std::array<double, 5> &stops) {
     int count = 0;
     stops[static_cast<std::size_t>(count++)] = -bound;

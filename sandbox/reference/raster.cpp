@@ -16,8 +16,8 @@ constexpr int band_rows = 16;
 /// resolves 6e-8 near 1, and the interpolated depth carries a few such steps.
 constexpr double depth_resolution = 4e-7;
 
-/// The edge from p to q, from a point's own shifted corners: positive to one side, exactly the negative when p and q
-/// are exchanged (so two triangles that share an edge agree on every pixel).
+/// The edge function from p to q at the origin of shifted corners: positive on one side, and exactly the negative where
+/// p and q are exchanged, so that two triangles which share an edge agree on every pixel.
 double edge(const Corner &p, const Corner &q) { return p.x * q.y - q.x * p.y; }
 
 /// The triangle seen from (x, y) as the origin.
@@ -111,7 +111,7 @@ Rasteriser::Rasteriser(const std::vector<RasterObject> &objects, Size size, doub
 std::size_t Rasteriser::band_of(int row) const { return static_cast<std::size_t>(row / band_rows); }
 int Rasteriser::first_row(std::size_t band) const { return static_cast<int>(band) * band_rows; }
 
-/// The pixels whose centres the part in front of the near plane may cover or pass within edge_width; nothing if none.
+/// The pixels whose centres the part in front of the near plane may cover, or miss by less than edge_width.
 std::optional<Rasteriser::Box> Rasteriser::bounds(const Triangle &triangle) const {
     const auto [nearest, farthest] = std::minmax({triangle[0].z, triangle[1].z, triangle[2].z});
     if (farthest < near_ || nearest > far_) {
@@ -135,7 +135,7 @@ std::optional<Rasteriser::Box> Rasteriser::bounds(const Triangle &triangle) cons
             include((glm::dvec2(p) + t * glm::dvec2(q - p)) / near_);
         }
     }
-    // Centres lie at half pixels; one edge width more for the neighbours, and a little for rounding.
+    // Centres lie at half pixels; the margin is edge_width and a little for rounding.
     constexpr double margin = edge_width + 1e-6;
     low = glm::max(glm::ceil(low - margin - 0.5), 0.0);
     high = glm::min(glm::floor(high + margin - 0.5), glm::dvec2(size_.width - 1.0, size_.height - 1.0));

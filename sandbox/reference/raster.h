@@ -14,9 +14,9 @@
 /// crosses the eye's plane still has three edge functions, and near and far are tested per sample.
 namespace sandbox::reference {
 
-/// How near a pixel's centre must lie to an edge, or to where the equation takes another branch, to be left out of
-/// error figures. OpenGL snaps vertices to sub-pixels (1/256 pixel, so a centre moves against an edge by up to 1/362
-/// pixel) and places its samples in float32; twice that and a little.
+/// A pixel whose centre lies this near to an edge, or to where the equation takes another branch, is left out of error
+/// figures. OpenGL snaps vertices to sub-pixels (1/256 pixel, so a centre moves against an edge by up to 1/362
+/// pixel) and places its samples in float32; this is a little more than twice that.
 constexpr double edge_width = 1.0 / 128;
 
 /// A vertex in homogeneous pixels: (x w, y w, w) with x to the right, y down from the top-left corner, w the distance
@@ -26,10 +26,10 @@ using Triangle = std::array<Corner, 3>;
 
 /// The mesh of one object as the camera sees it.
 struct RasterObject {
-    std::vector<Corner> corners; ///< one a vertex
+    std::vector<Corner> corners; ///< one per vertex
     const std::vector<glm::uvec3> *triangles = nullptr;
-    /// Which triangles cannot be seen, being the inside of what is closed, whatever the depth buffer resolves: those
-    /// whose corners run clockwise on the screen (1), counter-clockwise (-1), none (0).
+    /// Which triangles are skipped as the inside of a closed mesh: those whose corners run clockwise on the screen (1),
+    /// counter-clockwise (-1), or none (0).
     int hidden = 0;
 
     [[nodiscard]] Triangle triangle(std::size_t index) const;

@@ -54,11 +54,11 @@ struct PixelProbe {
     bool edge = false;
     bool jump = false;
     /// How far the colour moves where the triangle moves in the window by 2^-22 of the picture's longer side, along
-    /// each axis: what float32 makes of it. Slivers and sharp highlights magnify that. 0 for an analytic surface.
+    /// each axis, as float32 may move it. Slivers and sharp highlights magnify that. 0 for an analytic surface.
     double window_rounding = 0;
 };
 
-/// What pixel (x, y), row 0 at the top, is made of; nothing for the background. The light terms are those of the
+/// Every intermediate of pixel (x, y), row 0 at the top; nothing for the background. The light terms are those of the
 /// equation at that very point (under flat: at the triangle's centroid); under per-vertex the colour is interpolated
 /// between vertices and need not be their sum. Throws as render_reference does.
 std::optional<PixelProbe> probe_pixel(const Scene &scene, const std::vector<ObjectResources> &resources,

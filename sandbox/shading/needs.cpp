@@ -10,6 +10,8 @@ bool lights_vertices(Frequency frequency) {
     return frequency == Frequency::flat || frequency == Frequency::per_vertex || frequency == Frequency::hybrid;
 }
 
+bool reads_n_dot_l(Gate gate) { return gate != Gate::view_facing && gate != Gate::none; }
+
 /// `vectors`: this stage is handed L, H or R and the distance instead of finding them from P.
 LightNeeds light_needs(const Features &f, const LightKind &kind, const StageNeeds &stage, Stage which, bool vectors) {
     const LightFeatures &light = f.lights[kind.type];
@@ -31,7 +33,7 @@ LightNeeds light_needs(const Features &f, const LightKind &kind, const StageNeed
     n.given_R = vectors && mirrors;
     n.uses_cone = light.cone() && fading_terms;
     n.fades = fading_terms && (light.attenuated() || light.cone());
-    n.uses_n_dot_l = n.adds_diffuse || (n.adds_specular && technique.gate == Gate::light_facing) ||
+    n.uses_n_dot_l = n.adds_diffuse || (n.adds_specular && reads_n_dot_l(technique.gate)) ||
                      ((n.adds_ambient || n.adds_attenuated_ambient) && technique.ambient == AmbientWhere::where_lit);
     n.uses_L = n.uses_n_dot_l || n.uses_cone || (!vectors && (own_half || mirrors));
     n.given_L = n.uses_L && kind.positional && vectors;

@@ -164,6 +164,15 @@ TEST(ReportHtml, IsOneSelfContainedPage) {
     }
 }
 
+TEST(ReportHtml, NamesNoFlagOfTheCommandLine) {
+    ReportRun run = ball_run();
+    run.quick = true;
+    const std::string html = report_html({run});
+    const std::size_t end_of_style = html.find("</style>");
+    EXPECT_NE(html.find("A quick overview"), std::string::npos);
+    EXPECT_EQ(html.find(" --", end_of_style), std::string::npos);
+}
+
 TEST(ReportHtml, SaysThatItIsIncompleteAndSurvivesHavingNothing) {
     ReportRun run = ball_run();
     run.measured.finished = false;

@@ -123,6 +123,7 @@ TEST(UsableControls, ASpotWithoutAConeIsAPointLight) {
     EXPECT_TRUE(usable(spot, &Light::exponent));
     EXPECT_TRUE(usable(spot, &Light::direction));
     spot.cutoff_degrees = 180;
+    EXPECT_TRUE(kind_of(spot.type).conical); // the switch for its cone stays
     EXPECT_FALSE(usable(spot, &Light::cutoff_degrees));
     EXPECT_FALSE(usable(spot, &Light::inner_cutoff_degrees));
     EXPECT_FALSE(usable(spot, &Light::exponent));
