@@ -136,6 +136,8 @@ if "$program" capture three-point-lights-001.png.json --out again.png && cmp -s 
 then pass "the sidecar gives the same picture"; else fail "the sidecar gives another picture"; fi
 
 xdotool key 2
+expect_other "wipe again" "$opened"
+settled >/dev/null
 drag "$divider_at" 400 700 400
 wipe=$(settled)
 xdotool key F12
