@@ -18,7 +18,12 @@
     float lit = 1.0;
 #endif
 #endif
-#if light.adds_separate_specular
+#if light.adds_specular && full
+    vec3 shine = light.specular * highlight;
+#endif
+#if light.adds_separate_specular && full
+    specular += specular_apart ? ${light.specular_sum} : vec3(0.0);
+#elif light.adds_separate_specular
     specular += ${light.specular_sum};
 #endif
     return ${light.sum};

@@ -9,8 +9,11 @@
 namespace sandbox {
 
 ProgramSource assemble(const Features &program, const ShaderParts &parts) {
-    return {expand(parts, "vertex.glsl", template_values(program, Stage::vertex)),
-            expand(parts, "fragment.glsl", template_values(program, Stage::fragment))};
+    const ProgramNeeds needs = derive_needs(program);
+    TemplateValues values = template_values(program, needs, Stage::vertex);
+    StageSource vertex = expand(parts, "vertex.glsl", values);
+    choose_stage(values, program, needs, Stage::fragment);
+    return {std::move(vertex), expand(parts, "fragment.glsl", values)};
 }
 
 std::string map_log(const std::string &log, const StageSource &source) {

@@ -1,9 +1,12 @@
 #include "shading/template.h"
 
 #include <algorithm>
+#include <cctype>
 #include <fmt/format.h>
-#include <regex>
+#include <iterator>
+#include <map>
 #include <stdexcept>
+#include <unordered_set>
 
 namespace sandbox {
 namespace {
@@ -44,22 +47,30 @@ struct Arm {
     Lines lines;
 };
 
-/// "vec3 base" of "    vec3 base = ...", and where it stands; nothing if the line declares nothing.
-std::smatch declaration(const std::string &line) {
-    static const std::regex pattern(R"(^ *((float |vec3 )\w+) = )");
-    std::smatch match;
-    std::regex_search(line, match, pattern);
-    return match;
+/// The end of the identifier or keyword that begins at `from`.
+std::size_t end_of_word(std::string_view text, std::size_t from) {
+    const auto in_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+    return static_cast<std::size_t>(
+        std::find_if_not(text.begin() + static_cast<std::ptrdiff_t>(from), text.end(), in_word) - text.begin());
+}
+
+/// "vec3 base" of "    vec3 base = ..."; empty if the line declares no vec3 or float.
+std::string_view declaration(std::string_view line) {
+    line = trim(line);
+    const bool typed = line.starts_with("float ") || line.starts_with("vec3 ");
+    const std::size_t end = typed ? end_of_word(line, line.find(' ') + 1) : 0;
+    return line.substr(end).starts_with(" = ") ? line.substr(0, end) : std::string_view{};
 }
 
 /// The declarations of variables that more than one arm declares: what follows the arms reads these.
-std::set<std::string> shared_declarations(const std::vector<Arm> &arms) {
-    std::set<std::string> seen;
-    std::set<std::string> shared;
+std::set<std::string, std::less<>> shared_declarations(const std::vector<Arm> &arms) {
+    std::set<std::string_view> seen;
+    std::set<std::string, std::less<>> shared;
     for (const Arm &arm : arms) {
         for (const Line &line : arm.lines) {
-            if (const std::smatch declared = declaration(line.text); !declared.empty()) {
-                (seen.insert(declared[1]).second ? seen : shared).insert(declared[1]);
+            const std::string_view declared = declaration(line.text);
+            if (!declared.empty() && !seen.insert(declared).second) {
+                shared.emplace(declared);
             }
         }
     }
@@ -67,25 +78,27 @@ std::set<std::string> shared_declarations(const std::vector<Arm> &arms) {
 }
 
 /// The arms as an `if` of GLSL, whose own lines come from where its first arm comes from.
-void add_run_time_branches(Lines &out, const std::vector<Arm> &arms) {
-    const Line first = arms.front().lines.front();
-    const std::string indent(std::min(first.text.find_first_not_of(' '), first.text.size()), ' ');
-    const auto add = [&](const std::string &text) { out.push_back({indent + text, first.origin}); };
-    const std::set<std::string> shared = shared_declarations(arms);
+void add_run_time_branches(Lines &out, std::vector<Arm> arms) {
+    const LineOrigin origin = arms.front().lines.front().origin;
+    const std::string &first = arms.front().lines.front().text;
+    const std::string indent(std::min(first.find_first_not_of(' '), first.size()), ' ');
+    const auto add = [&](const std::string &text) { out.push_back({indent + text, origin}); };
+    const auto shared = shared_declarations(arms);
     for (const std::string &declared : shared) {
         add(declared + ";");
     }
     std::string begin;
-    for (const Arm &arm : arms) {
-        add(arm.condition.empty() ? begin + "{" : fmt::format("{}if ({}) {{", begin, arm.condition));
+    for (Arm &arm : arms) {
+        add(arm.condition.empty() ? begin + "{" : begin + "if (" + arm.condition + ") {");
         begin = "} else ";
-        for (Line line : arm.lines) {
-            const std::smatch declared = declaration(line.text);
-            if (!declared.empty() && shared.contains(declared[1])) {
-                line.text.erase(static_cast<std::size_t>(declared.position(2)),
-                                static_cast<std::size_t>(declared.length(2)));
+        for (Line &line : arm.lines) {
+            if (const std::string_view declared = declaration(line.text); shared.contains(declared)) {
+                line.text.erase(line.text.find(declared), declared.find(' ') + 1);
             }
-            out.push_back({line.text.empty() ? "" : "    " + line.text, line.origin});
+            if (!line.text.empty()) {
+                line.text.insert(0, "    ");
+            }
+            out.push_back(std::move(line));
         }
     }
     add("}");
@@ -170,9 +183,9 @@ class Expander {
             return;
         }
         if (arms.front().condition.empty()) {
-            out->insert(out->end(), arms.front().lines.begin(), arms.front().lines.end());
+            std::ranges::move(arms.front().lines, std::back_inserter(*out));
         } else if (!arms.front().lines.empty()) {
-            add_run_time_branches(*out, arms);
+            add_run_time_branches(*out, std::move(arms));
         }
     }
 
@@ -218,14 +231,15 @@ class Expander {
                 const bool negated = name.starts_with('!');
                 const std::string flag = resolve(name.substr(negated ? 1 : 0));
                 if (values_.choices.contains(flag)) {
-                    chosen +=
-                        fmt::format("{}{}{}", chosen.empty() ? "" : " && ", negated ? "!" : "", uniform_name(flag));
+                    chosen.append(chosen.empty() ? "" : " && ").append(negated ? "!" : "").append(uniform_name(flag));
                 } else {
                     possible = (is_on(flag, part) != negated) && possible;
                 }
             }
             any.on |= possible && chosen.empty();
-            any.glsl += possible && !chosen.empty() ? (any.glsl.empty() ? "" : " || ") + chosen : "";
+            if (possible && !chosen.empty()) {
+                any.glsl.append(any.glsl.empty() ? "" : " || ").append(chosen);
+            }
         }
         return any.on ? Condition{true, {}} : any;
     }
@@ -265,12 +279,17 @@ class Expander {
     int depth_ = 0;
 };
 
-std::set<std::string> identifiers(const Lines &lines) {
-    static const std::regex identifier(R"([A-Za-z_]\w*)");
-    std::set<std::string> found;
+/// The names that the lines hold; they lie in the lines' texts.
+std::unordered_set<std::string_view> identifiers(const Lines &lines) {
+    std::unordered_set<std::string_view> found;
     for (const Line &line : lines) {
-        for (std::sregex_iterator match(line.text.begin(), line.text.end(), identifier), end; match != end; ++match) {
-            found.insert(match->str());
+        const std::string_view text = line.text;
+        for (std::size_t at = 0; at < text.size();) {
+            const std::size_t end = end_of_word(text, at);
+            if (end > at) {
+                found.insert(text.substr(at, end - at));
+            }
+            at = std::max(end, at + 1);
         }
     }
     return found;
@@ -302,7 +321,7 @@ StageSource expand(const ShaderParts &parts, std::string_view part, const Templa
             add(text, origin);
             continue;
         }
-        const std::set<std::string> read = values.choices.empty() ? std::set<std::string>{} : identifiers(lines);
+        const auto read = identifiers(lines);
         for (const std::string &choice : values.choices) {
             if (const std::string name = uniform_name(choice); read.contains(name)) {
                 add(fmt::format("uniform bool {};", name), origin);

@@ -3,18 +3,26 @@
 #include "shading/parts.h"
 #include "shading/program_source.h"
 
-#include <map>
+#include <functional>
 #include <set>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace sandbox {
 
+/// Looks names up without copying them.
+struct NameHash {
+    using is_transparent = void;
+    std::size_t operator()(std::string_view name) const { return std::hash<std::string_view>{}(name); }
+};
+template <class T> using ByName = std::unordered_map<std::string, T, NameHash, std::equal_to<>>;
+
 /// What a part's directives may ask for. Names are dotted: "point.diffuse".
 struct TemplateValues {
-    std::map<std::string, bool, std::less<>> flags;
-    std::map<std::string, std::string, std::less<>> texts;
-    std::map<std::string, std::vector<std::string>, std::less<>> lists; ///< what #each goes through; none is empty
+    ByName<bool> flags;
+    ByName<std::string> texts;
+    ByName<std::vector<std::string>> lists;     ///< what #each goes through; none is empty
     std::set<std::string, std::less<>> choices; ///< flags that only the running program knows, as uniform bools
 };
 

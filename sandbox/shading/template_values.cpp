@@ -12,15 +12,17 @@ using Flags = std::initializer_list<std::pair<std::string_view, bool>>;
 using Texts = std::initializer_list<std::pair<std::string_view, std::string>>;
 
 /// The kind "point" makes "point.diffuse" of "diffuse".
+std::string dotted(std::string_view kind, std::string_view name) { return std::string(kind).append(".").append(name); }
+
 void add_flags(TemplateValues &values, std::string_view kind, const Flags &flags) {
     for (const auto &[name, on] : flags) {
-        values.flags[fmt::format("{}.{}", kind, name)] = on;
+        values.flags[dotted(kind, name)] = on;
     }
 }
 
 void add_texts(TemplateValues &values, std::string_view kind, const Texts &texts) {
     for (const auto &[name, text] : texts) {
-        values.texts[fmt::format("{}.{}", kind, name)] = text;
+        values.texts[dotted(kind, name)] = text;
     }
 }
 
@@ -50,10 +52,9 @@ std::string type_name(const Features &program, const LightKind &kind) {
 
 /// The array that holds the lights of a kind, and what is interpolated of them.
 void add_array(TemplateValues &values, const LightKind &kind, const Features &program, const LightFeatures &has,
-               const LightNeeds &handed, bool declared) {
+               const LightNeeds &handed) {
     add_flags(values, kind.word,
-              {{"declared", declared},
-               {"many", has.count > 1},
+              {{"many", has.count > 1},
                {"positional", kind.positional},
                {"directed", kind.directed},
                {"ambient", has.ambient},
@@ -140,7 +141,7 @@ std::string highlight(const LightPart &light) {
 std::pair<std::string, std::string> light_parameters(const LightPart &light, const TemplateValues &values) {
     const LightNeeds &n = light.here;
     const auto varying = [&](const std::string &name) {
-        const std::string &prefix = values.texts.at(fmt::format("{}.v", light.kind.word));
+        const std::string &prefix = values.texts.at(dotted(light.kind.word, "v"));
         return fmt::format("{}_{}[{}]", prefix, name, light.features.count > 1 ? "i" : "0");
     };
     std::string parameters;
@@ -184,9 +185,11 @@ void add_sums(TemplateValues &values, const LightPart &light) {
         incidence = full ? "direction_unnegated_diffuse ? -n_dot_l : n_dot_l" : incidence;
         faded.push_back(fmt::format("light.diffuse * max({}, 0.0)", light.kind.positional ? "n_dot_l" : incidence));
     }
-    const std::string specular = "light.specular * highlight";
+    const std::string specular = full ? "shine" : "light.specular * highlight";
     if (n.adds_specular && !light.stage.separate_specular) {
         faded.push_back(specular);
+    } else if (n.adds_specular && full) {
+        faded.emplace_back("(specular_apart ? vec3(0.0) : shine)");
     }
     std::vector<std::string> sum;
     if (n.adds_ambient) {
@@ -195,9 +198,9 @@ void add_sums(TemplateValues &values, const LightPart &light) {
     if (!faded.empty()) {
         sum.push_back(times.empty() ? sum_of(faded) : times + in_brackets(faded));
     }
-    add_texts(
-        values, light.kind.word,
-        {{"sum", sum_of(sum, "vec3(0.0)")}, {"specular_sum", times.empty() ? specular : times + "(" + specular + ")"}});
+    add_texts(values, light.kind.word,
+              {{"sum", sum_of(sum, "vec3(0.0)")},
+               {"specular_sum", times.empty() || full ? times + specular : times + "(" + specular + ")"}});
 }
 
 /// The function of a kind's lights in one stage.
@@ -277,21 +280,20 @@ void add_stage(TemplateValues &values, const Features &f, const StageNeeds &stag
 /// The fragment's colour, as one expression.
 std::string color_expression(const Features &f, const ProgramNeeds &needs) {
     const bool apart = f.has_base() && !f.base_times_specular; // specular light is no part of `multiplied`
-    const std::string tint = f.is_full() ? "(base_times_specular ? base : vec3(1.0)) * " : "";
     std::vector<std::string> multiplied;
     std::vector<std::string> plain;
     if (needs.vertex.lit) {
         multiplied.emplace_back("v_light");
     }
     if (needs.fragment.lit && needs.vertex.lit && apart) {
-        plain.emplace_back(tint + "light");
+        plain.emplace_back(f.is_full() ? "(specular_apart ? vec3(1.0) : base) * light" : "light");
     } else if (needs.fragment.lit) {
         multiplied.emplace_back("light");
     } else if (needs.fragment.constant_ambient) {
         multiplied.emplace_back("ambient");
     }
     if (needs.vertex.separate_specular || needs.fragment.separate_specular) {
-        plain.emplace_back(tint + (needs.vertex.separate_specular ? "v_specular" : "specular"));
+        plain.emplace_back(needs.vertex.separate_specular ? "v_specular" : "specular");
     }
     if (f.emission) {
         plain.emplace_back("emission");
@@ -304,7 +306,7 @@ std::string color_expression(const Features &f, const ProgramNeeds &needs) {
     return sum_of(plain, "vec3(0.0)");
 }
 
-void add_program(TemplateValues &values, const Features &f, const ProgramNeeds &needs, bool vertex) {
+void add_program(TemplateValues &values, const Features &f, const ProgramNeeds &needs) {
     const Technique &technique = f.technique;
     const bool full = f.is_full();
     const bool model_matrix = technique.normals == Normals::model_matrix;
@@ -327,8 +329,7 @@ void add_program(TemplateValues &values, const Features &f, const ProgramNeeds &
          {"object_ids", f.object_ids},
          {"deep", f.deep},
          {"wide", f.wide}});
-    values.texts.insert({{"way", vertex ? "out" : "in"},
-                         {"flat", needs.attributes.flat ? "flat " : ""},
+    values.texts.insert({{"flat", needs.attributes.flat ? "flat " : ""},
                          {"H", full ? "reflection" : "H"}, // a full program interpolates the one that it needs
                          {"R", full ? "reflection" : "R"},
                          {"vertex.point", needs.attributes.centroid ? "a_centroid" : "a_position"},
@@ -346,13 +347,13 @@ void add_program(TemplateValues &values, const Features &f, const ProgramNeeds &
 }
 
 /// Of a full program: all that some light has, for lights of every kind.
-void add_shared_array(TemplateValues &values, const Features &f, const ProgramNeeds &needs, bool declared) {
+void add_shared_array(TemplateValues &values, const Features &f, const ProgramNeeds &needs) {
     const LightKind every{.type = {}, .word = "every", .positional = true, .directed = true, .conical = true};
     LightFeatures has = every_light_feature(every, f.technique.frequency);
     has.given_half_vector = true;
     LightNeeds handed;
     handed.given_L = handed.given_H = handed.given_distance = needs.vectors;
-    add_array(values, every, f, has, handed, declared);
+    add_array(values, every, f, has, handed);
     values.lists["array"] = {"every"};
 }
 
@@ -372,7 +373,7 @@ std::vector<std::pair<std::string, bool>> choices(const Features &f) {
                                                   {"two_sided", f.two_sided},
                                                   {"textured", f.textured},
                                                   {"chequered", f.chequered},
-                                                  {"base_times_specular", f.base_times_specular},
+                                                  {"specular_apart", f.has_base() && !f.base_times_specular},
                                                   {"mirrors_view", mirrors_view(f.technique.model)},
                                                   {"exponent_zero", f.exponent == Exponent::zero},
                                                   {"exponent_one", f.exponent == Exponent::one},
@@ -392,10 +393,24 @@ std::vector<std::pair<std::string, bool>> choices(const Features &f) {
     return all;
 }
 
-TemplateValues template_values(const Features &f, Stage which) {
-    const ProgramNeeds needs = derive_needs(f);
+void choose_stage(TemplateValues &values, const Features &f, const ProgramNeeds &needs, Stage which) {
     const bool vertex = which == Stage::vertex;
     const StageNeeds &stage = vertex ? needs.vertex : needs.fragment;
+    values.texts["way"] = vertex ? "out" : "in";
+    add_stage(values, f, stage, "stage", !vertex);
+    bool declares_lights = false;
+    for (const LightKind &kind : light_kinds) {
+        const LightPart part{kind, f, stage, f.lights[kind.type], stage.lights[kind.type]};
+        const bool declared = part.here.any || (vertex && needs.fragment.lights[kind.type].given_any());
+        declares_lights |= declared;
+        add_flags(values, kind.word, {{"declared", declared}});
+        add_light(values, part);
+    }
+    values.flags["vertex.declares_lights"] = declares_lights;
+    values.flags["every.declared"] = declares_lights;
+}
+
+TemplateValues template_values(const Features &f, const ProgramNeeds &needs, Stage stage) {
     TemplateValues values;
     for (auto &[name, on] : choices(f)) {
         if (f.is_full()) {
@@ -404,25 +419,18 @@ TemplateValues template_values(const Features &f, Stage which) {
             values.flags[name] = on;
         }
     }
-    add_program(values, f, needs, vertex);
+    add_program(values, f, needs);
     add_stage(values, f, needs.vertex, "vertex", false);
     add_stage(values, f, needs.fragment, "fragment", true);
-    add_stage(values, f, stage, "stage", !vertex);
-    bool declares_lights = false;
     for (const LightKind &kind : light_kinds) {
-        const LightNeeds &handed = needs.fragment.lights[kind.type];
-        const LightPart part{kind, f, stage, f.lights[kind.type], stage.lights[kind.type]};
-        const bool declared = part.here.any || (vertex && handed.given_any());
-        declares_lights |= declared;
         values.lists["light"].emplace_back(kind.word);
-        add_array(values, kind, f, part.features, handed, declared);
-        add_light(values, part);
+        add_array(values, kind, f, f.lights[kind.type], needs.fragment.lights[kind.type]);
     }
     values.lists["array"] = values.lists["light"];
     if (f.is_full()) {
-        add_shared_array(values, f, needs, declares_lights);
+        add_shared_array(values, f, needs);
     }
-    values.flags["vertex.declares_lights"] = declares_lights;
+    choose_stage(values, f, needs, stage);
     return values;
 }
 

@@ -2,7 +2,7 @@
 
 #include "ui/keys.h"
 #include "ui/menu_bar.h"
-#include "ui/panels/panels.h"
+#include "ui/panels/side_panel.h"
 #include "ui/views/viewports.h"
 #include "ui/widgets/theme.h"
 

@@ -126,7 +126,7 @@ void probe_light(const LightCase &c) {
     const PreparedObject prepared =
         prepare_object(scene, technique, scene.objects[0], build_mesh(scene.objects[0].mesh));
     const Features &features = prepared.program;
-    const TemplateValues values = template_values(features, Stage::fragment);
+    const TemplateValues values = template_values(features, derive_needs(features), Stage::fragment);
     const LightType type = drawn_type(c.light);
     const std::string kind(kind_of(type).word);
     std::string body = values.texts.at(kind + ".type") + " light = the_" + kind +

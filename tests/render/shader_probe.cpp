@@ -90,7 +90,7 @@ std::vector<glm::vec4> ShaderProbe::run(const std::vector<ProbeInput> &inputs,
 }
 
 std::string part_text(const std::string &part, const Features &program, Stage stage) {
-    const TemplateValues values = template_values(program, stage);
+    const TemplateValues values = template_values(program, derive_needs(program), stage);
     const std::string text = expand(ShaderParts(Assets("shaders")), part, values).text;
     std::string declarations;
     for (const std::string &choice : values.choices) {

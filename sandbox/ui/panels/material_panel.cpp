@@ -1,4 +1,5 @@
 #include "ui/panels/panels.h"
+#include "ui/panels/side_panel.h"
 #include "ui/widgets/property_rows.h"
 
 #include <algorithm>

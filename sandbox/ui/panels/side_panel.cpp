@@ -1,5 +1,7 @@
-#include "ui/panels/panels.h"
+#include "ui/panels/side_panel.h"
 
+#include "ui/panels/panels.h"
+#include "ui/panels/technique_panel.h"
 #include "ui/widgets/widgets.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "ui/panels/panels.h"
+#include "ui/panels/technique_panel.h"
 #include "ui/session/edits.h"
 #include "ui/session/usable_controls.h"
 #include "ui/widgets/theme.h"
