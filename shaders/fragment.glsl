@@ -55,8 +55,21 @@ void main()
     vec3 V = normalize(${fragment.to_eye});
 #endif
 #endif
-#if fragment.N && fragment.V && two_sided
-    N = dot(N, V) < 0.0 ? -N : N;
+#if fragment.N && fragment.V && two_sided && facing_view
+    N = dot(N, V) < 0.0 ? -N : N; // Fault: where an interpolated N leans away, no back is seen.
+#elif fragment.N && two_sided
+    N = gl_FrontFacing ? N : -N;
+#endif
+#if both_sides && two_sided && facing_winding
+    vec3 vertex_light = gl_FrontFacing ? v_light : v_back_light;
+#if vertex.separate_specular
+    vec3 vertex_specular = gl_FrontFacing ? v_specular : v_back_specular;
+#endif
+#elif both_sides
+    vec3 vertex_light = v_light;
+#if vertex.separate_specular
+    vec3 vertex_specular = v_specular;
+#endif
 #endif
 #if textured
     vec3 base = texture(base_texture, v_uv).rgb;

@@ -4,6 +4,12 @@ ${flat}${way} vec3 v_light;
 #if vertex.separate_specular
 ${flat}${way} vec3 v_specular;
 #endif
+#if both_sides
+${flat}${way} vec3 v_back_light;
+#endif
+#if both_sides && vertex.separate_specular
+${flat}${way} vec3 v_back_specular;
+#endif
 #if fragment.P && !wide
 ${way} vec3 v_position; // from the eye
 #endif

@@ -43,14 +43,20 @@ void main()
 #elif vertex.V
     vec3 V = -P / max(length(P), 1e-18); // a vertex may lie at the eye
 #endif
-#if vertex.lit && vertex.N && two_sided
-    N = dot(N, V) < 0.0 ? -N : N;
+#if vertex.lit && vertex.N && vertex.V && two_sided && facing_view
+    N = dot(N, V) < 0.0 ? -N : N; // Fault: where an interpolated N leans away, no back is seen.
 #endif
 #if vertex.separate_specular
     v_specular = vec3(0.0);
 #endif
 #if vertex.lit
     v_light = lighting(${vertex.surface_arguments});
+#endif
+#if both_sides && two_sided && facing_winding
+#if vertex.separate_specular
+    v_back_specular = vec3(0.0);
+#endif
+    v_back_light = lighting(${vertex.back_arguments});
 #endif
 #if vectors
 #include "vectors_vertex.glsl"

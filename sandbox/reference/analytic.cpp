@@ -40,7 +40,7 @@ class FirstHit {
     explicit FirstHit(const Ray &ray) : ray_(ray) {}
     [[nodiscard]] bool wants(double s) const { return ray_.within(s) && (!hit_ || ray_.t(s) < hit_->t); }
     void take(double s, const glm::dvec3 &position, const glm::dvec3 &normal, const glm::dvec2 &uv, int part = 0) {
-        hit_ = ShapeHit{ray_.t(s), position, normal, uv, part};
+        hit_ = ShapeHit{ray_.t(s), position, normal, uv, glm::dot(ray_.direction, normal) > 0, part};
     }
     [[nodiscard]] const std::optional<ShapeHit> &hit() const { return hit_; }
 

@@ -14,6 +14,7 @@ struct ShapeHit {
     glm::dvec3 position{0};
     glm::dvec3 normal{0}; ///< unit, outward, as the mesh of the shape has it
     glm::dvec2 uv{0};     ///< as the mesh of the shape has it
+    bool back = false;    ///< the ray meets it from behind its normal
     int part = 0;         ///< which face of a box, side or cap of a cylinder: what a crease divides
 };
 

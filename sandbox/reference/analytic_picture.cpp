@@ -71,7 +71,8 @@ class ShapeSampler : public Sampler {
 
     [[nodiscard]] SurfacePoint point_at(double dx, double dy) const override {
         const ShapeHit hit = hit_at(dx, dy);
-        return surface_point(shape_.to_world.lit(hit.position), transform_normal(shape_.to_world.normals, hit.normal));
+        return surface_point(shape_.to_world.lit(hit.position), transform_normal(shape_.to_world.normals, hit.normal),
+                             hit.back ? Side::back : Side::front);
     }
 
     [[nodiscard]] glm::dvec3 base() const { return shape_.base.color_at(hit_.uv, hit_.position); }

@@ -38,10 +38,11 @@ class Branches {
     bool view_branch() {
         const auto n_dot_v = [](const SurfacePoint &p) { return glm::dot(p.raw_normal, p.view); };
         const bool gate = setup_.technique.gate == Gate::view_facing;
-        if ((!object_.two_sided && !gate) || !close(n_dot_v, 2 * rounding / here_.normal_length)) {
+        const bool turned = object_.two_sided && setup_.technique.facing == Facing::view;
+        if ((!turned && !gate) || !close(n_dot_v, 2 * rounding / here_.normal_length)) {
             return false;
         }
-        return object_.two_sided ? turning_matters() : light_sum_matters();
+        return turned ? turning_matters() : light_sum_matters();
     }
 
     bool light_branches(std::size_t i) {
@@ -162,10 +163,12 @@ bool direction_is_rounding(const LightSetup &light, const glm::dvec3 &position) 
     return rounding * spread(light, position, d) > far_from_a_branch;
 }
 
-SurfacePoint Sampler::surface_point(const glm::dvec3 &position, const glm::dvec3 &normal) const {
+SurfacePoint Sampler::surface_point(const glm::dvec3 &position, const glm::dvec3 &normal, Side side) const {
     const glm::dvec3 view = view_vector(setup_, position);
-    return {
-        .position = position, .raw_normal = normal, .normal = facing(object_.two_sided, normal, view), .view = view};
+    return {.position = position,
+            .raw_normal = normal,
+            .normal = facing(setup_, object_.two_sided, normal, view, side),
+            .view = view};
 }
 
 LightVectors Sampler::vectors(const SurfacePoint &point, std::size_t light) const {

@@ -17,7 +17,7 @@ struct SurfacePoint {
     glm::dvec3 position{0}; ///< as lit, from the eye
     glm::dvec3 raw_normal{0};
     double normal_length = 1; ///< of the interpolated normal; its float32 rounding is a share of 1, not of this
-    glm::dvec3 normal{0};     ///< raw_normal, turned to the viewer if the object is two-sided
+    glm::dvec3 normal{0};     ///< raw_normal, turned where facing() says so
     glm::dvec3 view{0};
     glm::dvec3 weights{0}; ///< of a triangle's corners, if it is on one
 };
@@ -47,8 +47,8 @@ class Sampler {
     [[nodiscard]] bool may_jump(Terms terms, const SurfacePoint &here) const;
 
   protected:
-    /// The point at `position` (as lit, from the eye) with the unit normal before it is turned to the viewer.
-    [[nodiscard]] SurfacePoint surface_point(const glm::dvec3 &position, const glm::dvec3 &normal) const;
+    /// The point at `position` (as lit, from the eye) with the unit normal before it is turned.
+    [[nodiscard]] SurfacePoint surface_point(const glm::dvec3 &position, const glm::dvec3 &normal, Side side) const;
     [[nodiscard]] LightTerms terms_at(const SurfacePoint &point, std::size_t light) const;
 
     const Setup &setup_;
@@ -59,8 +59,9 @@ class Sampler {
 /// A point without a surface around it: a vertex, a triangle's centroid.
 class IsolatedPoint : public Sampler {
   public:
-    IsolatedPoint(const Setup &setup, const Object &object, const glm::dvec3 &position, const glm::dvec3 &normal)
-        : Sampler(setup, object), point_(surface_point(position, normal)) {}
+    IsolatedPoint(const Setup &setup, const Object &object, const glm::dvec3 &position, const glm::dvec3 &normal,
+                  Side side)
+        : Sampler(setup, object), point_(surface_point(position, normal, side)) {}
     [[nodiscard]] SurfacePoint point_at(double, double) const override { return point_; }
 
   private:

@@ -1,6 +1,7 @@
 #include "reference/fragment.h"
 
 #include "scene/light_kind.h"
+#include "scene/space.h"
 
 #include <algorithm>
 #include <array>
@@ -26,12 +27,18 @@ glm::dvec3 unit_or(const glm::dvec3 &v, const glm::dvec3 &otherwise) {
     return u == glm::dvec3(0) ? otherwise : u;
 }
 
+Side side_of(const Object &object, const Triangle &on_screen) {
+    return orientation(on_screen) == (is_mirrored(object.transform) ? -1 : 1) ? Side::back : Side::front;
+}
+
 } // namespace
 
 Fragment::Fragment(const MeshScene &scene, const Hit &hit, double x, double y)
     : Sampler(scene.setup, *scene.objects[hit.object - 1].object), mesh_(scene.objects[hit.object - 1]),
       on_screen_(scene.raster[hit.object - 1].triangle(hit.triangle)), triangle_index_(hit.triangle),
-      triangle_(mesh_.mesh->triangles[hit.triangle]), x_(x), y_(y), here_(point_at(0, 0)) {}
+      triangle_(mesh_.mesh->triangles[hit.triangle]), side_(side_of(*mesh_.object, on_screen_)),
+      lit_(mesh_.object->two_sided && side_ == Side::back ? mesh_.back : mesh_.front), x_(x), y_(y),
+      here_(point_at(0, 0)) {}
 
 glm::dvec3 Fragment::weights(double dx, double dy) const { return weights_at(on_screen_, x_ + dx, y_ + dy); }
 
@@ -49,11 +56,11 @@ SurfacePoint Fragment::point_at(double dx, double dy) const {
     } else {
         point.view = view_vector(setup_, point.position);
     }
-    point.normal = facing(object_.two_sided, point.raw_normal, point.view);
+    point.normal = facing(setup_, object_.two_sided, point.raw_normal, point.view, side_);
     return point;
 }
 
-/// Where interpolated vectors are computed: N is not turned to the viewer there.
+/// Where interpolated vectors are computed: N is not turned there.
 SurfacePoint Fragment::corner(int i) const {
     const glm::dvec3 &position = mesh_.positions[triangle_[i]];
     const glm::dvec3 &normal = mesh_.normals[triangle_[i]];
@@ -101,12 +108,12 @@ LightVectors Fragment::interpolated_vectors(const SurfacePoint &point, std::size
 
 Reflected Fragment::reflected() const {
     const auto interpolated = [&](auto part) {
-        const std::vector<Reflected> &lit = mesh_.lit;
-        return blend(here_.weights, lit[triangle_.x].*part, lit[triangle_.y].*part, lit[triangle_.z].*part);
+        const std::vector<Reflected> &light = lit_.light;
+        return blend(here_.weights, light[triangle_.x].*part, light[triangle_.y].*part, light[triangle_.z].*part);
     };
     switch (setup_.technique.frequency) {
     case Frequency::flat:
-        return mesh_.lit[triangle_index_];
+        return lit_.light[triangle_index_];
     case Frequency::per_vertex:
         return {interpolated(&Reflected::body), interpolated(&Reflected::highlight)};
     case Frequency::hybrid:
@@ -131,7 +138,8 @@ glm::dvec3 Fragment::base() const {
 glm::dvec3 Fragment::color() const { return compose(object_.material, base(), reflected()); }
 
 SurfacePoint Fragment::evaluated_point() const {
-    return setup_.technique.frequency == Frequency::flat ? centroid(setup_, mesh_, triangle_).point_at(0, 0) : here_;
+    const bool flat = setup_.technique.frequency == Frequency::flat;
+    return flat ? centroid(setup_, mesh_, triangle_, side_).point_at(0, 0) : here_;
 }
 
 bool Fragment::checker_unstable() const {
@@ -174,11 +182,11 @@ bool Fragment::unstable() const {
     }
     const auto jumps = [&](Terms terms) { return may_jump(terms, here_); };
     const auto corner_unstable = [&] {
-        return (mesh_.unstable[triangle_.x] | mesh_.unstable[triangle_.y] | mesh_.unstable[triangle_.z]) != 0;
+        return (lit_.unstable[triangle_.x] | lit_.unstable[triangle_.y] | lit_.unstable[triangle_.z]) != 0;
     };
     switch (setup_.technique.frequency) {
     case Frequency::flat:
-        return mesh_.unstable[triangle_index_] != 0;
+        return lit_.unstable[triangle_index_] != 0;
     case Frequency::per_vertex:
         return corner_unstable();
     case Frequency::hybrid:

@@ -38,6 +38,8 @@ class Fragment : public Sampler {
     Triangle on_screen_;
     std::size_t triangle_index_;
     glm::uvec3 triangle_;
+    Side side_;
+    const Lit &lit_;
     double x_, y_;
     SurfacePoint here_;
 };

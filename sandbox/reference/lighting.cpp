@@ -208,8 +208,9 @@ glm::dvec3 compose(const Material &material, const glm::dvec3 &base, const Refle
     return material.emission + base * reflected.body + tint * reflected.highlight;
 }
 
-glm::dvec3 facing(bool two_sided, const glm::dvec3 &n, const glm::dvec3 &v) {
-    return two_sided && glm::dot(n, v) < 0 ? -n : n;
+glm::dvec3 facing(const Setup &setup, bool two_sided, const glm::dvec3 &n, const glm::dvec3 &v, Side side) {
+    const bool away = setup.technique.facing == Facing::view ? glm::dot(n, v) < 0 : side == Side::back;
+    return two_sided && away ? -n : n;
 }
 
 } // namespace sandbox::reference

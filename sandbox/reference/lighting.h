@@ -99,7 +99,11 @@ struct Reflected {
 /// emission + base * body + (texture_modulates_specular ? base : 1) * highlight
 glm::dvec3 compose(const Material &material, const glm::dvec3 &base, const Reflected &reflected);
 
-/// N turned to the viewer where the object is two-sided and N.V < 0.
-glm::dvec3 facing(bool two_sided, const glm::dvec3 &n, const glm::dvec3 &v);
+/// Which side of a surface is seen. Of a triangle the back is the one whose corners run clockwise on the screen, or
+/// counter-clockwise if the object's transform has a determinant below 0.
+enum class Side { front, back };
+
+/// N as the equation takes it: of a two-sided object turned where its back is seen or, under facing=view, N.V < 0.
+glm::dvec3 facing(const Setup &setup, bool two_sided, const glm::dvec3 &n, const glm::dvec3 &v, Side side);
 
 } // namespace sandbox::reference

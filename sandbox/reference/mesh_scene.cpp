@@ -39,27 +39,33 @@ RasterObject to_pixels(const MeshObject &object, const Camera &camera, Size size
     return raster;
 }
 
-void light(MeshObject &object, Terms terms, std::size_t i, const IsolatedPoint &vertex) {
-    const SurfacePoint point = vertex.point_at(0, 0);
-    object.lit[i] = vertex.reflect(terms, point);
-    object.unstable[i] = vertex.may_jump(terms, point) ? 1 : 0;
+/// Lights `count` points, the i-th of which is point_at(i, side), as their front is seen and, if need be, their back.
+template <class PointAt> void light(MeshObject &object, Terms terms, std::size_t count, const PointAt &point_at) {
+    const auto light_side = [&](Lit &lit, Side side) {
+        lit.light.resize(count);
+        lit.unstable.resize(count);
+        for_pieces(count, [&](std::size_t i) {
+            const IsolatedPoint at = point_at(i, side);
+            const SurfacePoint point = at.point_at(0, 0);
+            lit.light[i] = at.reflect(terms, point);
+            lit.unstable[i] = at.may_jump(terms, point) ? 1 : 0;
+        });
+    };
+    light_side(object.front, Side::front);
+    if (object.object->two_sided) {
+        light_side(object.back, Side::back);
+    }
 }
 
 void light_faces(const Setup &setup, MeshObject &object) {
-    const std::size_t count = object.mesh->triangles.size();
-    object.lit.resize(count);
-    object.unstable.resize(count);
-    for_pieces(count, [&](std::size_t i) {
-        light(object, Terms::all, i, centroid(setup, object, object.mesh->triangles[i]));
-    });
+    const std::vector<glm::uvec3> &triangles = object.mesh->triangles;
+    light(object, Terms::all, triangles.size(),
+          [&](std::size_t i, Side side) { return centroid(setup, object, triangles[i], side); });
 }
 
 void light_vertices(const Setup &setup, MeshObject &object, Terms terms) {
-    const std::size_t count = object.positions.size();
-    object.lit.resize(count);
-    object.unstable.resize(count);
-    for_pieces(count, [&](std::size_t i) {
-        light(object, terms, i, {setup, *object.object, object.positions[i], object.normals[i]});
+    light(object, terms, object.positions.size(), [&](std::size_t i, Side side) {
+        return IsolatedPoint(setup, *object.object, object.positions[i], object.normals[i], side);
     });
 }
 
@@ -102,10 +108,10 @@ glm::dvec3 face_normal(const Mesh &mesh, const glm::uvec3 &triangle) {
     return glm::dot(normal, mean) < 0 ? -normal : normal;
 }
 
-IsolatedPoint centroid(const Setup &setup, const MeshObject &object, const glm::uvec3 &triangle) {
+IsolatedPoint centroid(const Setup &setup, const MeshObject &object, const glm::uvec3 &triangle, Side side) {
     const std::vector<glm::dvec3> &p = object.positions;
     return {setup, *object.object, (p[triangle.x] + p[triangle.y] + p[triangle.z]) / 3.0,
-            transform_normal(object.to_world.normals, face_normal(*object.mesh, triangle))};
+            transform_normal(object.to_world.normals, face_normal(*object.mesh, triangle)), side};
 }
 
 MeshScene prepare_meshes(const Scene &scene, const std::vector<ObjectResources> &resources, const Technique &technique,

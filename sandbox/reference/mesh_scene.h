@@ -12,15 +12,21 @@
 /// The meshes of a scene, with what the technique computes before there are pixels: per vertex or per triangle.
 namespace sandbox::reference {
 
+/// What a technique computes before there are pixels. flat: one of each per triangle; per-vertex, hybrid: one per
+/// vertex; else empty.
+struct Lit {
+    std::vector<Reflected> light;
+    std::vector<unsigned char> unstable; ///< float32 rounding may take the equation's other branch there
+};
+
 struct MeshObject {
     const Object *object = nullptr;
     const Mesh *mesh = nullptr;
     WorldTransform to_world;
     BaseColor base;
-    std::vector<glm::dvec3> positions;   ///< one per vertex, as lit, from the eye
-    std::vector<glm::dvec3> normals;     ///< one per vertex, unit, world axes
-    std::vector<Reflected> lit;          ///< flat: one per triangle; per-vertex, hybrid: one per vertex; else empty
-    std::vector<unsigned char> unstable; ///< beside `lit`: float32 rounding may take the equation's other branch there
+    std::vector<glm::dvec3> positions; ///< one per vertex, as lit, from the eye
+    std::vector<glm::dvec3> normals;   ///< one per vertex, unit, world axes
+    Lit front, back;                   ///< as each side is seen; `back` of two-sided objects only
 };
 
 struct MeshScene {
@@ -34,7 +40,7 @@ MeshScene prepare_meshes(const Scene &scene, const std::vector<ObjectResources> 
                          Size size);
 
 /// Where flat shading evaluates the equation.
-IsolatedPoint centroid(const Setup &setup, const MeshObject &object, const glm::uvec3 &triangle);
+IsolatedPoint centroid(const Setup &setup, const MeshObject &object, const glm::uvec3 &triangle, Side side);
 
 /// A triangle's own normal in object space, turned to the side of its vertices' mean normal; unit.
 glm::dvec3 face_normal(const Mesh &mesh, const glm::uvec3 &triangle);

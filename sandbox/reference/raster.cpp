@@ -43,9 +43,7 @@ struct Edges {
 
     explicit Edges(const Triangle &t) {
         const auto &[a, b, c] = t;
-        const Triangle s = a.z != 0 ? shifted(t, a.x / a.z, a.y / a.z) : t;
-        const double volume = edge(s[1], s[2]) * a.z + edge(s[2], s[0]) * b.z + edge(s[0], s[1]) * c.z;
-        sign = volume > 0 ? 1 : (volume < 0 ? -1 : 0);
+        sign = orientation(t);
         for (std::size_t i = 0; i < 3; ++i) {
             const glm::dvec2 growth = sign * slope(t[(i + 1) % 3], t[(i + 2) % 3]);
             owned[i] = owns(growth);
@@ -74,6 +72,13 @@ void keep_nearer(Hit &kept, Hit drawn, double resolution) {
 Triangle RasterObject::triangle(std::size_t index) const {
     const glm::uvec3 &t = (*triangles)[index];
     return {corners[t.x], corners[t.y], corners[t.z]};
+}
+
+double orientation(const Triangle &t) {
+    const auto &[a, b, c] = t;
+    const Triangle s = a.z != 0 ? shifted(t, a.x / a.z, a.y / a.z) : t;
+    const double volume = edge(s[1], s[2]) * a.z + edge(s[2], s[0]) * b.z + edge(s[0], s[1]) * c.z;
+    return volume > 0 ? 1 : (volume < 0 ? -1 : 0);
 }
 
 glm::dvec3 weights_at(const Triangle &triangle, double x, double y) {

@@ -44,6 +44,9 @@ struct Hit {
     bool tie = false;     ///< another triangle lies within float32 depth resolution: OpenGL may pick that one
 };
 
+/// How the triangle's corners run on the screen: 1 clockwise, -1 counter-clockwise, 0 seen edge-on.
+double orientation(const Triangle &triangle);
+
 /// Perspective-correct weights of a triangle's corners at the point (x, y) in pixels; they sum to 1.
 glm::dvec3 weights_at(const Triangle &triangle, double x, double y);
 

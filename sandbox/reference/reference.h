@@ -25,8 +25,8 @@ struct ReferenceFrame {
     /// 1 where a pixel's centre lies within 1/128 pixel of an edge between triangles, or another surface lies within
     /// the depth buffer's resolution: OpenGL may see the neighbour.
     std::vector<std::uint8_t> edge;
-    /// 1 where the equation jumps (gate, hard cone, checker cell, N turned to the viewer, N where its corners' normals
-    /// cancel) within 1/128 pixel or within float32 rounding of what decides it.
+    /// 1 where the equation jumps (gate, hard cone, checker cell, N turned under facing=view, N where its corners'
+    /// normals cancel) within 1/128 pixel or within float32 rounding of what decides it.
     std::vector<std::uint8_t> jump;
     double milliseconds = 0;
 };

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/gl_object.h"
-#include "scene/mesh.h"
+#include "scene/near_uvs.h"
 #include "shading/needs.h"
 
 #include <map>
@@ -12,8 +12,12 @@ namespace sandbox {
 /// A mesh on the GPU: a buffer for each attribute, made when a program first needs it.
 class MeshBuffers {
   public:
-    /// `origin` is subtracted from the positions before they are rounded to float32.
-    MeshBuffers(std::shared_ptr<const Mesh> mesh, const glm::dvec3 &origin) : mesh_(std::move(mesh)), origin_(origin) {}
+    /// `origin` is subtracted from the positions before they are rounded to float32; whole numbers from texture
+    /// coordinates that are far from 0 (near_uvs.h).
+    MeshBuffers(std::shared_ptr<const Mesh> mesh, const glm::dvec3 &origin)
+        : given_(std::move(mesh)), mesh_(with_near_uvs(given_)), origin_(origin) {}
+    /// Does nobody else hold the mesh that these buffers and their owner's key name?
+    [[nodiscard]] bool unused() const { return given_.use_count() <= (mesh_ == given_ ? 3 : 2); }
     /// Draws all triangles with the program and framebuffer in use.
     void draw(const VertexAttributes &attributes);
 
@@ -23,7 +27,7 @@ class MeshBuffers {
     };
     VertexArray make_array(const VertexAttributes &attributes);
 
-    std::shared_ptr<const Mesh> mesh_;
+    std::shared_ptr<const Mesh> given_, mesh_; ///< mesh_: as stored
     glm::dvec3 origin_;
     Arrangement shared_, flat_;
     std::map<VertexAttributes, VertexArray> arrays_;

@@ -83,7 +83,7 @@ struct Renderer::Impl {
     }
     /// Frees what only this cache still holds.
     void forget_unused() {
-        std::erase_if(meshes, [](const auto &entry) { return entry.first.use_count() <= 2; });
+        std::erase_if(meshes, [](const auto &entry) { return entry.second.unused(); });
         std::erase_if(textures, [](const auto &entry) { return entry.first.use_count() <= 1; });
     }
 

@@ -3,6 +3,7 @@
 #include "scene/shapes.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
@@ -17,11 +18,27 @@ bool has_opposing_normals(const Mesh &mesh) {
     });
 }
 
+/// The winding's normal against the sum of the vertices' normals.
+bool runs_against_normals(const Mesh &mesh, const glm::uvec3 &t) {
+    const auto &p = mesh.positions;
+    const auto &n = mesh.normals;
+    return glm::dot(glm::cross(p[t.y] - p[t.x], p[t.z] - p[t.x]), n[t.x] + n[t.y] + n[t.z]) < 0;
+}
+
 } // namespace
 
 void summarise(Mesh &mesh) {
     mesh.bounds = bounds_of(mesh);
     mesh.opposing_normals = has_opposing_normals(mesh);
+    mesh.against_normals = static_cast<std::size_t>(std::ranges::count_if(
+        mesh.triangles, [&](const glm::uvec3 &triangle) { return runs_against_normals(mesh, triangle); }));
+}
+
+std::string winding_note(const Mesh &mesh) {
+    return mesh.against_normals == 0 ? ""
+                                     : fmt::format("{} of {} triangles run clockwise as seen from the side of their "
+                                                   "normals: two_sided lights them from the wrong side",
+                                                   mesh.against_normals, mesh.triangles.size());
 }
 
 Mesh build_mesh(const Shape &shape) {

@@ -2,8 +2,10 @@
 
 #include "scene/scene.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <string>
 #include <vector>
 
 namespace sandbox {
@@ -21,9 +23,10 @@ struct Mesh {
     std::vector<glm::dvec2> uvs;
     std::vector<glm::uvec3> triangles;
     bool closed = false; ///< encloses a volume: its back faces cannot be seen from outside
-    // Both are set by summarise():
+    // All are set by summarise():
     Bounds bounds;
-    bool opposing_normals = false; ///< some triangle's normals may interpolate to 0
+    bool opposing_normals = false;   ///< some triangle's normals may interpolate to 0
+    std::size_t against_normals = 0; ///< triangles that run clockwise as seen from the side of their normals
 };
 
 /// The mesh of a built-in shape (not ObjShape), as the scene file's rules describe it. Degenerate triangles left out.
@@ -33,6 +36,9 @@ Mesh build_mesh(const Shape &shape);
 double half_extent(const Mesh &mesh);
 
 Bounds bounds_of(const Mesh &mesh);
+
+/// What to tell people of a mesh whose winding disagrees with its normals; empty: they agree.
+std::string winding_note(const Mesh &mesh);
 
 /// Sets what every draw needs to know of a mesh. build_mesh() and read_obj() end with it.
 void summarise(Mesh &mesh);

@@ -252,6 +252,9 @@ class ObjReader {
 Mesh read_obj(std::string_view text, std::string_view name) {
     Mesh mesh = ObjReader(text, name).read();
     summarise(mesh);
+    if (const std::string note = winding_note(mesh); !note.empty()) {
+        fmt::print(stderr, "note: {}: {}\n", name, note);
+    }
     return mesh;
 }
 

@@ -120,7 +120,7 @@ struct Object {
     Shape mesh;
     Transform transform;
     Material material;
-    bool two_sided = false; ///< N turned to the viewer wherever N.V < 0
+    bool two_sided = false; ///< N turned where a triangle shows its back
     bool operator==(const Object &) const = default;
 };
 

@@ -241,14 +241,15 @@ inline constexpr auto format_of<Material> = format(
           {.used = has_checker}));
 
 template <>
-inline constexpr auto format_of<Object> =
-    format("object", "A mesh, where it stands and what it is made of.",
-           field("name", &Object::name, any, "What panels and messages call it."),
-           field("mesh", &Object::mesh, any, "Its shape.", {.needed = always<Object>}),
-           field("transform", &Object::transform, any, "Where it stands."),
-           field("material", &Object::material, any, "What it is made of."),
-           control("two_sided", &Object::two_sided, any, "Turns the normal to the viewer wherever it points away.",
-                   {.label = "two-sided"}));
+inline constexpr auto
+    format_of<Object> = format("object", "A mesh, where it stands and what it is made of.",
+                               field("name", &Object::name, any, "What panels and messages call it."),
+                               field("mesh", &Object::mesh, any, "Its shape.", {.needed = always<Object>}),
+                               field("transform", &Object::transform, any, "Where it stands."),
+                               field("material", &Object::material, any, "What it is made of."),
+                               control("two_sided", &Object::two_sided, any,
+                                       "Turns the normal where a triangle shows its back, so that both sides are lit.",
+                                       {.label = "two-sided"}));
 
 template <>
 inline constexpr auto

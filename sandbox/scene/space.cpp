@@ -50,7 +50,8 @@ double distance_to_bounds(const Transform &transform, const Bounds &bounds, cons
 
 bool is_mirrored(const Transform &transform) {
     const glm::dvec3 &scale = transform.scale;
-    return ((scale.x < 0) != (scale.y < 0)) != (scale.z < 0);
+    const bool flattened = scale.x == 0 || scale.y == 0 || scale.z == 0;
+    return !flattened && ((scale.x < 0) != (scale.y < 0)) != (scale.z < 0);
 }
 
 bool back_faces_hidden(const Camera &camera, double aspect, const Transform &transform, const Mesh &mesh) {

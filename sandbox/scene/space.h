@@ -19,7 +19,8 @@ bool scales_evenly(const glm::dmat3 &linear);
 /// How far `point` (world space) is from the box around the transformed mesh that turns with it; 0 inside.
 double distance_to_bounds(const Transform &transform, const Bounds &bounds, const glm::dvec3 &point);
 
-/// Does the transform turn the mesh inside out, so that front faces run clockwise? (An odd number of scales below 0.)
+/// Does the transform turn the mesh inside out, so that front faces run clockwise? (A determinant below 0: an odd
+/// number of scales below 0, and none that is 0.)
 bool is_mirrored(const Transform &transform);
 
 /// Can no back face of the object be seen? True of a closed mesh that is neither flattened nor so near to the eye that

@@ -128,12 +128,13 @@ void derive_normals(Features &f, const Technique &technique, const Object &objec
                     const EyeSpace &space) {
     f.technique.normals = Normals::inverse_transpose;
     f.technique.renormalize = Renormalize::on;
+    f.two_sided = f.normals && object.two_sided;
+    f.technique.facing = f.two_sided ? technique.facing : Facing::winding;
     if (!f.normals) {
         return;
     }
     derive_normal_transform(f, technique.normals, linear_part(object.transform), space);
     f.guard_vertex_normal = may_lose_normals(f, space);
-    f.two_sided = object.two_sided;
     const bool interpolated = f.technique.frequency == Frequency::per_pixel ||
                               f.technique.frequency == Frequency::interpolated_vectors ||
                               (f.technique.frequency == Frequency::hybrid && f.specular());
@@ -179,7 +180,7 @@ bool needs_view(const Features &f) {
     const bool open_half = std::ranges::any_of(
         f.lights, [](const LightFeatures &light) { return light.specular && !light.given_half_vector; });
     const bool reflects = f.exponent != Exponent::zero && (f.mirrors_view() || (f.uses_half_vector() && open_half));
-    return f.normals && (f.two_sided || (f.specular() && (reflects || f.technique.gate == Gate::view_facing)));
+    return f.normals && (f.turns_by_view() || (f.specular() && (reflects || f.technique.gate == Gate::view_facing)));
 }
 
 /// Is anything of the lights interpolated, or V? A directional light's constant L and H are not.

@@ -56,9 +56,9 @@ struct Features {
     bool guard_normal = false;        ///< interpolated normals may cancel to 0
     bool guard_vertex_normal = false; ///< the transform may leave nothing of a normal, or nothing float32 can square
     Exponent exponent = Exponent::zero;
-    bool two_sided = false;
-    bool wide = false; ///< positions are found from the pixel, not interpolated
-    bool deep = false; ///< depth is stored as a logarithm
+    bool two_sided = false; ///< N is turned; technique.facing says where
+    bool wide = false;      ///< positions are found from the pixel, not interpolated
+    bool deep = false;      ///< depth is stored as a logarithm
     bool object_ids = false;
     auto operator<=>(const Features &) const = default; // NOLINT(modernize-use-nullptr): version 14 errs
 
@@ -67,6 +67,11 @@ struct Features {
     /// Is R.V raised, or N.H? A full program can do both.
     [[nodiscard]] bool mirrors_view() const { return is_full() || sandbox::mirrors_view(technique.model); }
     [[nodiscard]] bool uses_half_vector() const { return is_full() || reflection(technique.model).half_vector; }
+    /// Is N turned to the viewer where N.V < 0? A full program can do that too.
+    [[nodiscard]] bool turns_by_view() const { return two_sided && (is_full() || technique.facing == Facing::view); }
+    [[nodiscard]] bool turns_by_winding() const {
+        return two_sided && (is_full() || technique.facing == Facing::winding);
+    }
     [[nodiscard]] bool specular() const { return std::ranges::any_of(lights, &LightFeatures::specular); }
     [[nodiscard]] bool diffuse() const { return std::ranges::any_of(lights, &LightFeatures::diffuse); }
 };

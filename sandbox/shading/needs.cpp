@@ -74,7 +74,7 @@ void derive_stage(StageNeeds &stage, const Features &f, Stage which, bool vector
     stage.specular = specular;
     stage.separate_specular =
         specular && f.has_base() && !f.base_times_specular && f.technique.frequency != Frequency::hybrid;
-    stage.V |= stage.N && f.two_sided;
+    stage.V |= stage.N && f.turns_by_view();
     stage.P |= stage.V && f.technique.viewer == Viewer::local && !vectors;
 }
 
@@ -111,6 +111,7 @@ ProgramNeeds derive_needs(const Features &f) {
     derive_stage(needs.fragment, f, Stage::fragment, needs.vectors);
     needs.vertex.constant_ambient = f.ambient && needs.vertex.lit;
     needs.fragment.constant_ambient = f.ambient && !needs.vertex.lit;
+    needs.both_sides = needs.vertex.lit && needs.vertex.N && f.turns_by_winding();
     pass_on(needs, f);
     const bool flat = f.technique.frequency == Frequency::flat && needs.vertex.lit;
     needs.attributes = {.flat = flat, .normal = needs.vertex.N, .uv = f.textured, .centroid = flat && needs.vertex.P};
@@ -120,9 +121,9 @@ ProgramNeeds derive_needs(const Features &f) {
 int varying_components(const Features &f) {
     const ProgramNeeds needs = derive_needs(f);
     const StageNeeds &fragment = needs.fragment;
-    int vectors = int(needs.vertex.lit) + int(needs.vertex.separate_specular) + int(fragment.P && !f.wide) +
-                  int(fragment.N) + int(needs.vectors && fragment.V && f.technique.viewer == Viewer::local) +
-                  int(f.chequered);
+    const int lights = int(needs.vertex.lit) + int(needs.vertex.separate_specular);
+    int vectors = (needs.both_sides ? 2 * lights : lights) + int(fragment.P && !f.wide) + int(fragment.N) +
+                  int(needs.vectors && fragment.V && f.technique.viewer == Viewer::local) + int(f.chequered);
     int scalars = f.textured ? 2 : 0;
     for (const LightKind &kind : light_kinds) {
         const LightNeeds &light = fragment.lights[kind.type];

@@ -43,7 +43,8 @@ struct VertexAttributes {
 
 struct ProgramNeeds {
     StageNeeds vertex, fragment;
-    bool vectors = false; ///< interpolated-vectors
+    bool vectors = false;    ///< interpolated-vectors
+    bool both_sides = false; ///< vertices are lit as seen from the front and as seen from the back; the pixel chooses
     VertexAttributes attributes;
 };
 

@@ -97,6 +97,13 @@ inline constexpr TechniqueValue gate_values[]{
     {"none", "none", "no test: highlights shine through from behind", rules::has_specular, rules::needs_specular},
 };
 
+enum class Facing { winding, view };
+inline constexpr TechniqueValue facing_values[]{
+    {"winding", "by winding", "right: N is turned where a triangle shows its back"},
+    {"view", "where N.V < 0", "two-sided objects: N turned where N.V < 0; light leaks in along outlines, and sparkles",
+     rules::turns_normals},
+};
+
 enum class Viewer { local, infinite };
 inline constexpr TechniqueValue viewer_values[]{
     {"local", "local", "right: V from each point to the eye"},
@@ -153,6 +160,7 @@ struct Technique {
     Renormalize renormalize = Renormalize::on;
     LightingPosition position = LightingPosition::world;
     Gate gate = Gate::light_facing;
+    Facing facing = Facing::winding;
     Viewer viewer = Viewer::local;
     HalfVector half_vector = HalfVector::exact;
     AmbientWhere ambient = AmbientWhere::everywhere;
@@ -212,6 +220,8 @@ inline constexpr TechniqueKey technique_settings[]{
                                        "make the interpolated normal unit again per pixel", renormalize_values),
     fault_key<&Technique::position>("position", "position", "where lighting takes the surface to be", position_values),
     fault_key<&Technique::gate>("gate", "specular gate", "where specular light is allowed", gate_values),
+    fault_key<&Technique::facing>("facing", "facing", "where the normal of a two-sided object is turned",
+                                  facing_values),
     fault_key<&Technique::viewer>("viewer", "viewer", "the direction to the viewer", viewer_values),
     fault_key<&Technique::half_vector>("half_vector", "half vector", "the half vector of a light", half_vector_values),
     fault_key<&Technique::ambient>("ambient", "ambient", "where a light's ambient term is added", ambient_values),

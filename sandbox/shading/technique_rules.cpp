@@ -83,7 +83,7 @@ bool reads_view(const Scene &scene, const Object &object, const Technique &techn
     const bool constant_highlight = reflection(technique.model).half_vector &&
                                     technique.half_vector == HalfVector::constant &&
                                     technique.gate != Gate::view_facing;
-    return (object.two_sided && reads_normals(scene, object, technique)) ||
+    return (technique.facing == Facing::view && turns_normals(scene, object, technique)) ||
            (!constant_highlight && has_specular(scene, object, technique));
 }
 
@@ -95,6 +95,10 @@ bool transforms_normals(const Scene &scene, const Object &object, const Techniqu
     const glm::dmat3 linear = linear_part(object.transform);
     const bool only_grows = linear[0][0] > 0 && linear == glm::dmat3(linear[0][0]);
     return !only_grows && reads_normals(scene, object, technique);
+}
+
+bool turns_normals(const Scene &scene, const Object &object, const Technique &technique) {
+    return object.two_sided && reads_normals(scene, object, technique);
 }
 
 bool reads_normals_per_pixel(const Scene &scene, const Object &object, const Technique &technique) {

@@ -31,6 +31,8 @@ bool has_directional_diffuse(const Scene &scene, const Object &object, const Tec
 /// A normal is read, and the model matrix does more to it than scale its length.
 bool scales_normals_unevenly(const Scene &scene, const Object &object, const Technique &technique);
 bool transforms_normals(const Scene &scene, const Object &object, const Technique &technique);
+/// The object is two-sided, and a normal is read.
+bool turns_normals(const Scene &scene, const Object &object, const Technique &technique);
 bool reads_normals_per_pixel(const Scene &scene, const Object &object, const Technique &technique);
 /// The object is translated, and something depends on where its points are.
 bool reads_translation(const Scene &scene, const Object &object, const Technique &technique);

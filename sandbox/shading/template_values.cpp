@@ -270,9 +270,13 @@ void add_stage(TemplateValues &values, const Features &f, const StageNeeds &stag
     add(stage.N, "vec3 N", "N");
     add(stage.R || std::ranges::any_of(stage.lights, &LightNeeds::uses_V), "vec3 V", "V");
     add(stage.separate_specular, "inout vec3 specular", fragment ? "specular" : "v_specular");
+    std::vector<std::string> back = arguments;
+    std::ranges::replace(back, "N", "-N");
+    std::ranges::replace(back, "v_specular", "v_back_specular");
     add_texts(values, name,
               {{"surface_parameters", fmt::format("{}", fmt::join(parameters, ", "))},
                {"surface_arguments", fmt::format("{}", fmt::join(arguments, ", "))},
+               {"back_arguments", fmt::format("{}", fmt::join(back, ", "))},
                {"first_sum", stage.constant_ambient ? "ambient" : "vec3(0.0)"},
                {"before_base", f.has_base() ? ", before the base colour multiplies it" : ""}});
 }
@@ -283,7 +287,7 @@ std::string color_expression(const Features &f, const ProgramNeeds &needs) {
     std::vector<std::string> multiplied;
     std::vector<std::string> plain;
     if (needs.vertex.lit) {
-        multiplied.emplace_back("v_light");
+        multiplied.emplace_back(needs.both_sides ? "vertex_light" : "v_light");
     }
     if (needs.fragment.lit && needs.vertex.lit && apart) {
         plain.emplace_back(f.is_full() ? "(specular_apart ? vec3(1.0) : base) * light" : "light");
@@ -293,7 +297,8 @@ std::string color_expression(const Features &f, const ProgramNeeds &needs) {
         multiplied.emplace_back("ambient");
     }
     if (needs.vertex.separate_specular || needs.fragment.separate_specular) {
-        plain.emplace_back(needs.vertex.separate_specular ? "v_specular" : "specular");
+        const std::string at_vertices = needs.both_sides ? "vertex_specular" : "v_specular";
+        plain.emplace_back(needs.vertex.separate_specular ? at_vertices : "specular");
     }
     if (f.emission) {
         plain.emplace_back("emission");
@@ -314,6 +319,7 @@ void add_program(TemplateValues &values, const Features &f, const ProgramNeeds &
         {{"full", full},
          {"flat", needs.attributes.flat},
          {"vectors", needs.vectors},
+         {"both_sides", needs.both_sides},
          {"reads_normal", needs.attributes.normal},
          {"reads_uv", needs.attributes.uv},
          {"reads_centroid", needs.attributes.centroid},

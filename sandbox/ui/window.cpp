@@ -15,6 +15,7 @@
 
 #include <GLFW/glfw3.h>
 #include <algorithm>
+#include <fmt/format.h>
 #include <imgui.h>
 #include <memory>
 
@@ -62,6 +63,7 @@ class Window {
     void draw();
     void answer_requests();
     void open(const std::string &name_or_path);
+    void load(const Scene &scene, const std::string &message);
     void capture();
 
     Assets assets_;
@@ -87,7 +89,7 @@ Window::Window(const WindowOptions &options)
     for (std::string &texture : session_.textures) {
         texture.erase(0, std::string("textures/").size());
     }
-    session_.message = {"Drag to orbit, wheel to come closer.  ? lists the keys.", false};
+    attempt(session_, "", [&] { load(options.file.scene, "Drag to orbit, wheel to come closer.  ? lists the keys."); });
 }
 
 void Window::run() {
@@ -175,11 +177,22 @@ void Window::answer_requests() {
 void Window::open(const std::string &name_or_path) {
     attempt(session_, "", [&] {
         const OpenedFile file = open_file(name_or_path, assets_);
-        painter_.renderer().resources().load(file.scene); // refuses textures and models that cannot be read
+        load(file.scene, "Opened " + file.name + ".");
         show_document(session_, document_from(file, session_));
         take_view(session_.view, file);
-        session_.message = {"Opened " + file.name + ".", false};
     });
+}
+
+/// Shows `message` or, if a mesh is odd, what is odd about it. Throws InputError for textures and models that cannot be
+/// read.
+void Window::load(const Scene &scene, const std::string &message) {
+    std::string note;
+    const auto resources = painter_.renderer().resources().load(scene);
+    for (std::size_t i = 0; i < resources.size() && note.empty(); ++i) {
+        note = winding_note(*resources[i].mesh);
+        note = note.empty() ? "" : fmt::format("{}: {}.", scene.objects[i].name, note);
+    }
+    session_.message = {note.empty() ? message : note, false};
 }
 
 void Window::capture() {

@@ -1,4 +1,5 @@
 #include "commands/process.h"
+#include "shading/technique.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -119,7 +120,7 @@ TEST(Cli, ListAsJson) {
     }
     EXPECT_EQ(list["techniques"]["frequencies"].size(), 5U);
     EXPECT_EQ(list["techniques"]["models"].size(), 3U);
-    EXPECT_EQ(list["techniques"]["keys"].size(), 11U);
+    EXPECT_EQ(list["techniques"]["keys"].size(), std::size(technique_settings));
     EXPECT_TRUE(list["lessons"].is_array());
     EXPECT_TRUE(list["stability"].is_array());
 }

@@ -78,6 +78,12 @@ std::vector<Scene> feature_scenes() {
     two_sided.objects[0].two_sided = true;
     two_sided.objects[0].material.shininess = 1;
     scenes.push_back(two_sided);
+    Scene pipe = scene_of("open pipe", {point(), directional()}); // coarse: normals lean away where its front is seen
+    CylinderShape open{0.8, 1.2, 9, 2};
+    open.caps = false;
+    pipe.objects[0].mesh = open;
+    pipe.objects[0].two_sided = true;
+    scenes.push_back(pipe);
     Scene stiff = scene_of("stiff", {point(), directional()});
     stiff.objects[0].material.shininess = 5000;
     scenes.push_back(stiff);

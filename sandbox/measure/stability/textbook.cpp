@@ -93,7 +93,9 @@ class TextbookScene {
         }
     }
 
-    [[nodiscard]] glm::vec3 color(const Hit &hit, const glm::uvec3 &triangle, const glm::vec3 &weights) const {
+    /// `back`: the triangle's corners run clockwise on the screen.
+    [[nodiscard]] glm::vec3 color(const Hit &hit, const glm::uvec3 &triangle, const glm::vec3 &weights,
+                                  bool back) const {
         const Object &object = scene_.objects[hit.object - 1];
         const TextbookObject &world = objects_[hit.object - 1];
         const auto blend = [&](const std::vector<glm::vec3> &v) {
@@ -102,7 +104,7 @@ class TextbookScene {
         const glm::vec3 p = blend(world.positions);
         glm::vec3 n = glm::normalize(blend(world.normals));
         const glm::vec3 v = glm::normalize(eye_ - p);
-        n = object.two_sided && glm::dot(n, v) < 0 ? -n : n;
+        n = object.two_sided && back ? -n : n;
         const double scale = reflection(model_).scaled_exponent ? scene_.blinn_exponent_scale : 1;
         const auto shininess = static_cast<float>(scale * object.material.shininess);
         glm::vec3 sum = glm::vec3(object.material.emission) + glm::vec3(object.material.ambient * scene_.ambient);
@@ -140,9 +142,11 @@ Frame textbook_picture(const Scene &scene, const std::vector<ObjectResources> &r
             const int y = rasteriser.first_row(band) + static_cast<int>(i) / size.width;
             const auto &raster = meshes.raster[hit.object - 1];
             const glm::uvec3 &t = (*raster.triangles)[hit.triangle];
-            const glm::vec3 weights(reference::weights_at(raster.triangle(hit.triangle), x + 0.5, y + 0.5));
+            const reference::Triangle triangle = raster.triangle(hit.triangle);
+            const glm::vec3 weights(reference::weights_at(triangle, x + 0.5, y + 0.5));
+            const bool back = reference::orientation(triangle) > 0;
             const std::size_t pixel = frame.color.index(x, y);
-            frame.color.pixels[pixel] = glm::vec4(textbook.color(hit, t, weights), 1);
+            frame.color.pixels[pixel] = glm::vec4(textbook.color(hit, t, weights, back), 1);
             frame.object_ids[pixel] = hit.object;
         }
     }

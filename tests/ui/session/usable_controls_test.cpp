@@ -220,7 +220,9 @@ TEST(UsableControls, ValuesThatNothingShowsHaveNoEffect) {
     EXPECT_EQ(use(scene, pixel, "gate", 1), ValueUse::no_effect);
     EXPECT_EQ(use(scene, pixel, "viewer", 1), ValueUse::no_effect);
     scene.objects[0].two_sided = true;
-    EXPECT_EQ(use(scene, pixel, "viewer", 1), ValueUse::open) << "V says which side is seen";
+    EXPECT_EQ(use(scene, pixel, "viewer", 1), ValueUse::no_effect) << "the winding says which side is seen";
+    EXPECT_EQ(use(scene, pixel, "facing", 1), ValueUse::open);
+    EXPECT_EQ(use(scene, pixel + ":facing=view", "viewer", 1), ValueUse::open) << "V says which side is seen";
     EXPECT_EQ(use(scene, pixel, "power", 2), ValueUse::no_effect) << "no exponent is raised";
 }
 

@@ -1,0 +1,73 @@
+#include "scene/near_uvs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <map>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+namespace sandbox {
+namespace {
+
+/// The multiples of uv_step nearest to the middle of the triangle's coordinates.
+glm::dvec2 offset_of(const Mesh &mesh, const glm::uvec3 &t) {
+    const glm::dvec2 &a = mesh.uvs[t.x];
+    const glm::dvec2 &b = mesh.uvs[t.y];
+    const glm::dvec2 &c = mesh.uvs[t.z];
+    const glm::dvec2 middle = 0.5 * (glm::min(glm::min(a, b), c) + glm::max(glm::max(a, b), c));
+    return uv_step * glm::round(middle / uv_step);
+}
+
+/// A copy of a mesh whose vertices go apart where their triangles take off different amounts.
+class Splitter {
+  public:
+    explicit Splitter(const Mesh &mesh) : mesh_(mesh), split_(mesh), taken_(mesh.positions.size()) {}
+
+    Mesh split() {
+        for (glm::uvec3 &t : split_.triangles) {
+            const glm::dvec2 offset = offset_of(mesh_, t);
+            t = {vertex(t.x, offset), vertex(t.y, offset), vertex(t.z, offset)};
+        }
+        return std::move(split_);
+    }
+
+  private:
+    /// The vertex `v` less `offset`: itself for the first offset that is asked for, else one more.
+    unsigned vertex(unsigned v, const glm::dvec2 &offset) {
+        const glm::dvec2 uv = mesh_.uvs[v] - offset;
+        if (!taken_[v]) {
+            taken_[v] = offset;
+            split_.uvs[v] = uv;
+        }
+        if (*taken_[v] == offset) {
+            return v;
+        }
+        const auto next = static_cast<unsigned>(split_.positions.size());
+        const auto [found, added] = more_.try_emplace({v, offset.x, offset.y}, next);
+        if (added) {
+            split_.positions.push_back(mesh_.positions[v]);
+            split_.normals.push_back(mesh_.normals[v]);
+            split_.uvs.push_back(uv);
+        }
+        return found->second;
+    }
+
+    const Mesh &mesh_;
+    Mesh split_;
+    std::vector<std::optional<glm::dvec2>> taken_; ///< by each of the mesh's own vertices
+    std::map<std::tuple<unsigned, double, double>, unsigned> more_;
+};
+
+} // namespace
+
+std::shared_ptr<const Mesh> with_near_uvs(const std::shared_ptr<const Mesh> &mesh) {
+    const auto is_far = [&](const glm::uvec3 &t) { return offset_of(*mesh, t) != glm::dvec2(0); };
+    if (mesh->uvs.empty() || std::ranges::none_of(mesh->triangles, is_far)) {
+        return mesh;
+    }
+    return std::make_shared<const Mesh>(Splitter(*mesh).split());
+}
+
+} // namespace sandbox
