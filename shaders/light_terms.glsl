@@ -2,12 +2,17 @@
     float n_dot_l = dot(N, L);
 #endif
 #if light.adds_specular && full
-    bool open = gate_none || (gate_light_facing ? n_dot_l : dot(N, V)) > 0.0;
+    bool open = gate_none || (gate_view_facing ? dot(N, V) : n_dot_l) > 0.0;
     float highlight = open ? ${light.highlight} : 0.0;
+#if gate_times_n_dot_l
+    highlight *= n_dot_l; // Fault: dims the highlight, and not only at its edge.
+#endif
 #elif light.adds_specular && gate_light_facing
     float highlight = n_dot_l > 0.0 ? ${light.highlight} : 0.0;
 #elif light.adds_specular && gate_view_facing
     float highlight = dot(N, V) > 0.0 ? ${light.highlight} : 0.0; // Fault: asks whether the viewer is in front, not the light.
+#elif light.adds_specular && gate_times_n_dot_l
+    float highlight = max(n_dot_l, 0.0) * ${light.highlight}; // Fault: dims the highlight, and not only at its edge.
 #elif light.adds_specular
     float highlight = ${light.highlight}; // Fault: shines through from behind.
 #endif

@@ -62,6 +62,7 @@ void spot_factor(const LightSetup &light, LightTerms &terms) {
 bool gate_open(Gate gate, double n_dot_l, const glm::dvec3 &n, const glm::dvec3 &v) {
     switch (gate) {
     case Gate::light_facing:
+    case Gate::times_n_dot_l:
         return n_dot_l > 0;
     case Gate::view_facing:
         return glm::dot(n, v) > 0;
@@ -198,7 +199,8 @@ LightTerms light_terms(const Setup &setup, const LightSetup &light, const LightV
     terms.diffuse = light.light.color * (light.light.diffuse * std::max(incidence, 0.0) * reach);
     if (reflection(technique.model).specular) {
         specular_factor(setup, n, v, shininess, terms);
-        terms.specular = light.light.color * (terms.gate ? light.light.specular * terms.f_power * reach : 0);
+        const double dimming = technique.gate == Gate::times_n_dot_l ? terms.n_dot_l : 1;
+        terms.specular = light.light.color * (terms.gate ? light.light.specular * terms.f_power * dimming * reach : 0);
     }
     return terms;
 }

@@ -89,12 +89,15 @@ inline constexpr TechniqueValue position_values[]{
      rules::reads_translation},
 };
 
-enum class Gate { light_facing, view_facing, none };
+enum class Gate { light_facing, view_facing, none, times_n_dot_l };
 inline constexpr TechniqueValue gate_values[]{
     {"light-facing", "N.L > 0", "right: N.L > 0"},
     {"view-facing", "N.V > 0", "N.V > 0: highlights on surfaces that the light cannot reach", rules::has_specular,
      rules::needs_specular},
     {"none", "none", "no test: highlights shine through from behind", rules::has_specular, rules::needs_specular},
+    {"times-n-dot-l", "times N.L",
+     "times N.L in place of the test: the highlight's cut edge is gone, and grazing light has lost its highlight",
+     rules::has_specular, rules::needs_specular},
 };
 
 enum class Facing { winding, view };

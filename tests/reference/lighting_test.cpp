@@ -98,6 +98,10 @@ TEST(Lighting, GatesDecideAboutTheHighlightAlone) {
     EXPECT_NEAR(spot.terms().specular.x, 0.75 * std::pow(std::cos(15 * degree), 10), tight);
     spot.technique.gate = Gate::light_facing;
     EXPECT_NEAR(spot.terms().specular.x, 0.75 * std::pow(std::cos(15 * degree), 10), tight);
+    spot.technique.gate = Gate::times_n_dot_l;
+    EXPECT_NEAR(spot.terms().specular.x, 0.75 * std::pow(std::cos(15 * degree), 10) * std::cos(70 * degree), tight);
+    spot.angles(100 * degree, 60 * degree);
+    EXPECT_EQ(spot.terms().specular.x, 0);
 }
 
 TEST(Lighting, AttenuationFallsWithDistanceAndIsFloored) {
