@@ -19,6 +19,10 @@ uniform float depth_at_1;
 
 #choices
 
+#if fragment.reads_eye
+uniform vec3 eye;
+#endif
+
 #if fragment.lit
 #include "lighting.glsl"
 #elif fragment.constant_ambient
@@ -37,7 +41,9 @@ uniform sampler2D base_texture;
 void main()
 {
 #if fragment.N
-#if renormalize_off
+#if normals_unnormalized
+    vec3 N = v_normal; // Fault: no stage makes it unit.
+#elif renormalize_off
     vec3 N = v_normal; // Fault: interpolation left it shorter than 1.
 #elif guard_normal
     vec3 N = v_normal != vec3(0.0) ? normalize(v_normal) : v_normal; // interpolated normals may cancel

@@ -2,7 +2,11 @@
 #if array.declared
 struct ${array.type} {
 #if array.positional
+#if position_absolute && !full
+    vec3 position; // Fault: in world space, far from whose origin float32 is coarse
+#else
     vec3 position; // from the eye
+#endif
 #endif
 #if array.directed
     vec3 direction; // unit, the way light travels
@@ -14,10 +18,18 @@ struct ${array.type} {
     vec3 attenuated_ambient; // material times light, fades
 #endif
 #if array.diffuse
+#if normalisation_blinn_phong && !full
+    vec3 diffuse; // material times light, over pi
+#else
     vec3 diffuse; // material times light
 #endif
+#endif
 #if array.specular
+#if normalisation_blinn_phong && !full
+    vec3 specular; // material times light times (n + 8) / (8 pi)
+#else
     vec3 specular; // material times light
+#endif
 #endif
 #if array.given_half_vector
     vec3 half_vector;

@@ -1,3 +1,10 @@
+#if power_naive && !full
+// Blinn 1977: f^n with f = N.H, H the half vector between L and V.
+float blinn_phong(vec3 N, vec3 H)
+{
+    return pow(max(dot(N, normalize(H)), 0.0), shininess); // Fault: H may be 0, and so may f and n.
+}
+#else
 // Blinn 1977: f^n with f = N.H, H the half vector between L and V, here of any length. H = N where L = -V.
 float blinn_phong(vec3 N, vec3 H)
 {
@@ -14,4 +21,5 @@ float blinn_phong(vec3 N, vec3 H)
 #endif
 #endif
 }
+#endif
 

@@ -1,7 +1,15 @@
-#if reads_model
+#if reads_model && position_absolute && !full
+uniform mat4 model; // Fault: world space, far from whose origin float32 is coarse
+#elif reads_model
 uniform mat4 model; // world space, moved so that the eye is the origin
 #endif
-#if reads_normal_matrix
+#if reads_normal_matrix && normals_unnormalized && !full
+uniform mat3 normal_matrix; // of model, as it is
+#elif reads_normal_matrix && normals_cofactor && !full
+uniform mat3 normal_matrix; // cofactors of model
+#elif reads_normal_matrix && normals_view_space && !full
+uniform mat3 normal_matrix; // inverse transpose of model, then view space
+#elif reads_normal_matrix
 uniform mat3 normal_matrix; // inverse transpose of model
 #endif
 #if reads_eye
@@ -33,6 +41,16 @@ vec3 surface_normal()
     return guarded_unit(mat3(model) * a_normal, a_normal); // Fault: wrong under non-uniform scale.
 #elif normals_model_matrix
     return normalize(mat3(model) * a_normal); // Fault: wrong under non-uniform scale.
+#elif normals_unnormalized
+    return normal_matrix * a_normal; // Fault: the scale of model stays in N.
+#elif normals_cofactor && guard_vertex_normal
+    return guarded_unit(normal_matrix * a_normal, a_normal); // Fault: lacks the sign of the determinant.
+#elif normals_cofactor
+    return normalize(normal_matrix * a_normal); // Fault: lacks the sign of the determinant.
+#elif normals_view_space && guard_vertex_normal
+    return guarded_unit(normal_matrix * a_normal, a_normal); // Fault: all else is in world space.
+#elif normals_view_space
+    return normalize(normal_matrix * a_normal); // Fault: all else is in world space.
 #elif normals_general && guard_vertex_normal
     return guarded_unit(normal_matrix * a_normal, a_normal); // a flattened object may leave nothing
 #elif normals_general

@@ -22,6 +22,8 @@
 #endif
 #if light.varying_R && mirrors_view
         ${light.v}_${R}[i] = reflect(-L, N);
+#elif light.varying_H && power_naive && !full
+        ${light.v}_${H}[i] = normalize(L + V); // Fault: L may be -V.
 #elif light.varying_H
         ${light.v}_${H}[i] = dot(L + V, L + V) > 0.0 ? normalize(L + V) : N;
 #endif

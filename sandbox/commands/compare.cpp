@@ -28,8 +28,8 @@ bool is_reference(std::string_view text) {
            (text.size() == reference_word.size() || text[reference_word.size()] == ':');
 }
 
-/// `reference[:key=value,...]`: the model of the left technique, per-pixel, every fault off, then what the keys change.
-/// frequency and model count as keys, too.
+/// `reference[:key=value,...]`: the model and normalisation of the left technique, per-pixel, every fault off, then
+/// what the keys change. frequency and model count as keys, too.
 Technique reference_technique(Technique left, std::string_view text) {
     std::string frequency = "per-pixel";
     std::string model(model_values[static_cast<std::size_t>(left.model)].name);
@@ -45,7 +45,11 @@ Technique reference_technique(Technique left, std::string_view text) {
             others += (others.empty() ? ":" : ",") + setting;
         }
     }
-    return parse_technique(fmt::format("{}/{}{}", frequency, model, others));
+    Technique reference = parse_technique(fmt::format("{}/{}{}", frequency, model, others));
+    if (others.find("normalisation=") == std::string::npos && reference.model == left.model) {
+        reference.normalisation = left.normalisation;
+    }
+    return reference;
 }
 
 struct Comparison {

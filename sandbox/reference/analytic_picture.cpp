@@ -71,7 +71,7 @@ class ShapeSampler : public Sampler {
 
     [[nodiscard]] SurfacePoint point_at(double dx, double dy) const override {
         const ShapeHit hit = hit_at(dx, dy);
-        return surface_point(shape_.to_world.lit(hit.position), transform_normal(shape_.to_world.normals, hit.normal),
+        return surface_point(shape_.to_world.lit(hit.position), shape_.to_world.normal(hit.normal),
                              hit.back ? Side::back : Side::front);
     }
 

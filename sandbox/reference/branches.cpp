@@ -20,11 +20,11 @@ constexpr double steep_exponent = 0.5;    ///< f^n with a smaller n leaves 0 lik
 double largest(const glm::dvec3 &v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 /// The two positions' lengths as multiples of the distance, which is computed as their difference.
-double spread(const LightSetup &light, const glm::dvec3 &position, double d) {
+double spread(const Setup &setup, const LightSetup &light, const glm::dvec3 &position, double d) {
     if (!has_position(light.light)) {
         return 0;
     }
-    return (glm::length(position) + glm::length(light.position)) / std::max(d, 1e-300);
+    return (glm::length(position - setup.origin) + glm::length(light.position - setup.origin)) / std::max(d, 1e-300);
 }
 
 } // namespace
@@ -48,10 +48,10 @@ class Branches {
     bool light_branches(std::size_t i) {
         const LightSetup &light = setup_.lights[i];
         const LightVectors vectors = sampler_.vectors(here_, i);
-        if (direction_is_rounding(light, here_.position)) {
+        if (direction_is_rounding(setup_, light, here_.position)) {
             return true;
         }
-        const double lengths = spread(light, here_.position, vectors.d);
+        const double lengths = spread(setup_, light, here_.position, vectors.d);
         const double noise = rounding * (1 / here_.normal_length + lengths);
         // A product of exact zeros has no rounding: a floor under a horizontal directional light is not in doubt.
         const double dot_noise =
@@ -158,15 +158,16 @@ class Branches {
     std::optional<SurfacePoint> right_, below_;
 };
 
-bool direction_is_rounding(const LightSetup &light, const glm::dvec3 &position) {
+bool direction_is_rounding(const Setup &setup, const LightSetup &light, const glm::dvec3 &position) {
     const double d = glm::length(light.position - position);
-    return rounding * spread(light, position, d) > far_from_a_branch;
+    return rounding * spread(setup, light, position, d) > far_from_a_branch;
 }
 
 SurfacePoint Sampler::surface_point(const glm::dvec3 &position, const glm::dvec3 &normal, Side side) const {
     const glm::dvec3 view = view_vector(setup_, position);
     return {.position = position,
             .raw_normal = normal,
+            .normal_length = keeps_normal_lengths() ? 1 / std::max(glm::length(normal), 1e-300) : 1,
             .normal = facing(setup_, object_.two_sided, normal, view, side),
             .view = view};
 }

@@ -16,8 +16,10 @@ enum class Terms { all, body, highlight };
 struct SurfacePoint {
     glm::dvec3 position{0}; ///< as lit, from the eye
     glm::dvec3 raw_normal{0};
-    double normal_length = 1; ///< of the interpolated normal; its float32 rounding is a share of 1, not of this
-    glm::dvec3 normal{0};     ///< raw_normal, turned where facing() says so
+    /// Of the interpolated normal, before it was made unit; its float32 rounding is a share of 1, not of this. One over
+    /// N's length where nothing makes it unit: then the rounding is a share of that length.
+    double normal_length = 1;
+    glm::dvec3 normal{0}; ///< raw_normal, turned where facing() says so
     glm::dvec3 view{0};
     glm::dvec3 weights{0}; ///< of a triangle's corners, if it is on one
 };
@@ -47,6 +49,7 @@ class Sampler {
     [[nodiscard]] bool may_jump(Terms terms, const SurfacePoint &here) const;
 
   protected:
+    [[nodiscard]] bool keeps_normal_lengths() const { return setup_.technique.normals == Normals::unnormalized; }
     /// The point at `position` (as lit, from the eye) with the unit normal before it is turned.
     [[nodiscard]] SurfacePoint surface_point(const glm::dvec3 &position, const glm::dvec3 &normal, Side side) const;
     [[nodiscard]] LightTerms terms_at(const SurfacePoint &point, std::size_t light) const;
@@ -69,6 +72,6 @@ class IsolatedPoint : public Sampler {
 };
 
 /// Is a light so near to `position` (both from the eye) that rounding alone says in which direction it lies?
-bool direction_is_rounding(const LightSetup &light, const glm::dvec3 &position);
+bool direction_is_rounding(const Setup &setup, const LightSetup &light, const glm::dvec3 &position);
 
 } // namespace sandbox::reference

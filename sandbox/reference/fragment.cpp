@@ -47,7 +47,9 @@ SurfacePoint Fragment::point_at(double dx, double dy) const {
     point.weights = weights(dx, dy);
     point.position = blend(point.weights, mesh_.positions, triangle_);
     point.raw_normal = blend(point.weights, mesh_.normals, triangle_);
-    if (setup_.technique.renormalize == Renormalize::on) {
+    if (keeps_normal_lengths()) {
+        point.normal_length = 1 / std::max(glm::length(point.raw_normal), 1e-300);
+    } else if (setup_.technique.renormalize == Renormalize::on) {
         point.normal_length = glm::length(point.raw_normal);
         point.raw_normal = unit(point.raw_normal);
     }
@@ -162,15 +164,16 @@ bool Fragment::checker_unstable() const {
 bool Fragment::normal_unstable() const {
     const bool interpolated = setup_.technique.frequency != Frequency::flat &&
                               setup_.technique.frequency != Frequency::per_vertex &&
-                              setup_.technique.renormalize == Renormalize::on;
+                              setup_.technique.renormalize == Renormalize::on && !keeps_normal_lengths();
     return interpolated && here_.normal_length < 0.25;
 }
 
 /// Interpolated vectors are only as reliable as the corners'.
 bool Fragment::corner_light_unstable() const {
     const auto unstable = [&](const LightSetup &light) {
-        return std::ranges::any_of(std::array{0, 1, 2},
-                                   [&](int i) { return direction_is_rounding(light, mesh_.positions[triangle_[i]]); });
+        return std::ranges::any_of(std::array{0, 1, 2}, [&](int i) {
+            return direction_is_rounding(setup_, light, mesh_.positions[triangle_[i]]);
+        });
     };
     return setup_.technique.frequency == Frequency::interpolated_vectors &&
            std::ranges::any_of(setup_.lights, unstable);

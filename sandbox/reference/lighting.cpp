@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <numbers>
 
 namespace sandbox::reference {
 
@@ -30,10 +31,12 @@ double soft_edge(const LightSetup &light, const glm::dvec3 &l) {
     return t * t * (3 - 2 * t);
 }
 
-LightSetup prepare_light(const Light &light, const glm::dvec3 &eye, const glm::dvec3 &view_axis) {
+LightSetup prepare_light(const Light &light, const Technique &technique, const glm::dvec3 &eye,
+                         const glm::dvec3 &view_axis) {
     LightSetup setup;
     setup.light = light;
-    setup.position = light.position - eye;
+    const bool absolute = technique.position == LightingPosition::absolute;
+    setup.position = absolute ? as_float(light.position) - as_float(eye) : light.position - eye;
     setup.travel = unit(light.direction);
     setup.cone = has_cone(light);
     setup.cos_outer = cos_degrees(light.cutoff_degrees);
@@ -83,6 +86,8 @@ void specular_factor(const Setup &setup, const glm::dvec3 &n, const glm::dvec3 &
 
 } // namespace
 
+glm::dvec3 as_float(const glm::dvec3 &v) { return glm::dvec3(glm::vec3(v)); }
+
 glm::dvec3 unit(const glm::dvec3 &v) {
     const double square = glm::dot(v, v);
     if (square > 1e-200 && square < 1e200) {
@@ -125,11 +130,13 @@ Setup prepare(const Scene &scene, const Technique &technique) {
     setup.technique = technique;
     setup.eye = scene.camera.position;
     setup.view_axis = -camera_axes(scene.camera).forward;
+    setup.to_view = world_to_view_axes(scene.camera);
+    setup.origin = technique.position == LightingPosition::absolute ? -setup.eye : glm::dvec3(0);
     setup.ambient = scene.ambient;
     setup.blinn_exponent_scale = scene.blinn_exponent_scale;
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         if (scene.lights[i].enabled) {
-            setup.lights.push_back(prepare_light(scene.lights[i], setup.eye, setup.view_axis));
+            setup.lights.push_back(prepare_light(scene.lights[i], technique, setup.eye, setup.view_axis));
             setup.light_index.push_back(i);
         }
     }
@@ -194,13 +201,16 @@ LightTerms light_terms(const Setup &setup, const LightSetup &light, const LightV
     if (technique.ambient == AmbientWhere::everywhere || terms.n_dot_l > 0) {
         terms.ambient = light.light.color * light.light.ambient * (light.light.attenuate_ambient ? reach : 1);
     }
+    const bool normalised = technique.normalisation == Normalisation::blinn_phong;
     const bool unnegated = technique.direction == DirectionSign::unnegated_diffuse && !has_position(light.light);
     const double incidence = unnegated ? glm::dot(n, light.travel) : terms.n_dot_l;
-    terms.diffuse = light.light.color * (light.light.diffuse * std::max(incidence, 0.0) * reach);
+    terms.diffuse = light.light.color *
+                    (light.light.diffuse * std::max(incidence, 0.0) * reach * (normalised ? std::numbers::inv_pi : 1));
     if (reflection(technique.model).specular) {
         specular_factor(setup, n, v, shininess, terms);
-        const double dimming = technique.gate == Gate::times_n_dot_l ? terms.n_dot_l : 1;
-        terms.specular = light.light.color * (terms.gate ? light.light.specular * terms.f_power * dimming * reach : 0);
+        const double factor = (technique.gate == Gate::times_n_dot_l ? terms.n_dot_l : 1) *
+                              (normalised ? (terms.exponent + 8) / (8 * std::numbers::pi) : 1);
+        terms.specular = light.light.color * (terms.gate ? light.light.specular * terms.f_power * reach * factor : 0);
     }
     return terms;
 }

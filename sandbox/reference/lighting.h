@@ -3,6 +3,7 @@
 #include "scene/scene.h"
 #include "shading/technique.h"
 
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 #include <utility>
 #include <vector>
@@ -15,8 +16,13 @@
 /// - half_vector=constant: H = unit(unit(light position from the world's origin, or -direction) + view axis), the view
 ///   axis being -camera forward.
 /// - ambient=where-lit drops a light's own ambient term; the scene's ambient stays.
+/// - position=absolute rounds world positions, the eye and lights to float32 and goes on in double.
+/// - normals=unnormalized: a cosine with N is as long as N.
 /// - direction=unnegated-diffuse changes the diffuse term alone; L, R, H and the gate keep the right direction.
 namespace sandbox::reference {
+
+/// Rounded to float32.
+glm::dvec3 as_float(const glm::dvec3 &v);
 
 /// v / |v| without overflow or underflow on the way; 0 for 0.
 glm::dvec3 unit(const glm::dvec3 &v);
@@ -45,6 +51,9 @@ struct Setup {
     Technique technique;
     glm::dvec3 eye{0};             ///< world space: what everything here is measured from
     glm::dvec3 view_axis{0, 0, 1}; ///< -camera forward
+    glm::dmat3 to_view{1};         ///< from world axes to the camera's: right, up, back
+    glm::dvec3 origin{0}; ///< what positions are measured from in float32, from the eye: the world's origin under
+                          ///< position=absolute
     glm::dvec3 ambient{0};
     double blinn_exponent_scale = 1;
     std::vector<LightSetup> lights;

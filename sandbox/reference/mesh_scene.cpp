@@ -80,7 +80,7 @@ MeshObject prepare_object(const Setup &setup, const Object &object, const Object
     prepared.normals.resize(count);
     for_pieces(count, [&](std::size_t i) {
         prepared.positions[i] = prepared.to_world.lit(prepared.mesh->positions[i]);
-        prepared.normals[i] = transform_normal(prepared.to_world.normals, prepared.mesh->normals[i]);
+        prepared.normals[i] = prepared.to_world.normal(prepared.mesh->normals[i]);
     });
     switch (setup.technique.frequency) {
     case Frequency::flat:
@@ -111,7 +111,7 @@ glm::dvec3 face_normal(const Mesh &mesh, const glm::uvec3 &triangle) {
 IsolatedPoint centroid(const Setup &setup, const MeshObject &object, const glm::uvec3 &triangle, Side side) {
     const std::vector<glm::dvec3> &p = object.positions;
     return {setup, *object.object, (p[triangle.x] + p[triangle.y] + p[triangle.z]) / 3.0,
-            transform_normal(object.to_world.normals, face_normal(*object.mesh, triangle)), side};
+            object.to_world.normal(face_normal(*object.mesh, triangle)), side};
 }
 
 MeshScene prepare_meshes(const Scene &scene, const std::vector<ObjectResources> &resources, const Technique &technique,

@@ -35,6 +35,9 @@ glm::dvec3 texel(const Image &image, double i, double j) {
 
 glm::dmat3 normal_matrix(const glm::dmat3 &linear, Normals normals) {
     const double largest = largest_entry(linear);
+    if (normals == Normals::unnormalized) {
+        return linear;
+    }
     if (normals == Normals::untransformed || largest == 0) {
         return glm::dmat3(1);
     }
@@ -43,7 +46,7 @@ glm::dmat3 normal_matrix(const glm::dmat3 &linear, Normals normals) {
         return a; // otherwise it is the normal matrix, but for rounding, which must not look like a fault
     }
     const glm::dmat3 cofactor(glm::cross(a[1], a[2]), glm::cross(a[2], a[0]), glm::cross(a[0], a[1]));
-    return glm::dot(a[0], cofactor[0]) < 0 ? -cofactor : cofactor;
+    return normals != Normals::cofactor && glm::dot(a[0], cofactor[0]) < 0 ? -cofactor : cofactor;
 }
 
 glm::dvec3 transform_normal(const glm::dmat3 &matrix, const glm::dvec3 &n) {
@@ -57,6 +60,13 @@ WorldTransform world_transform(const Transform &transform, const Setup &setup) {
     to_world.offset = transform.translate - setup.eye;
     to_world.lit_offset = setup.technique.position == LightingPosition::w0 ? -setup.eye : to_world.offset;
     to_world.normals = normal_matrix(to_world.linear, setup.technique.normals);
+    if (setup.technique.normals == Normals::view_space) {
+        to_world.normals = setup.to_view * to_world.normals;
+    }
+    to_world.unnormalized = setup.technique.normals == Normals::unnormalized;
+    to_world.absolute = setup.technique.position == LightingPosition::absolute;
+    to_world.translate = transform.translate;
+    to_world.eye = setup.eye;
     return to_world;
 }
 

@@ -12,7 +12,8 @@
 /// What a surface brings to the equation: where it is, which way it faces and its own colour.
 namespace sandbox::reference {
 
-/// The matrix that `normals` names: sign(det A) cofactor(A) (sign(0) = +1), A itself, or 1. Scaled to avoid overflow.
+/// The matrix that `normals` names: sign(det A) cofactor(A) (sign(0) = +1), with or without the sign, A itself, or 1.
+/// Scaled to avoid overflow, but for normals=unnormalized.
 glm::dmat3 normal_matrix(const glm::dmat3 &linear, Normals normals);
 
 /// unit(matrix * n); n itself where that is 0 (a surface flattened to a line has no normal of its own).
@@ -24,9 +25,17 @@ struct WorldTransform {
     glm::dvec3 offset{0};     ///< seen at linear * p + offset, from the eye
     glm::dvec3 lit_offset{0}; ///< lit at linear * p + lit_offset: the same, but for position=w0 (no translation)
     glm::dmat3 normals{1};
+    bool unnormalized = false;       ///< normals keep the length that the matrix gives them
+    bool absolute = false;           ///< lit where float32 world coordinates put it
+    glm::dvec3 translate{0}, eye{0}; ///< world space
 
+    [[nodiscard]] glm::dvec3 normal(const glm::dvec3 &n) const {
+        return unnormalized ? normals * n : transform_normal(normals, n);
+    }
     [[nodiscard]] glm::dvec3 seen(const glm::dvec3 &p) const { return linear * p + offset; }
-    [[nodiscard]] glm::dvec3 lit(const glm::dvec3 &p) const { return linear * p + lit_offset; }
+    [[nodiscard]] glm::dvec3 lit(const glm::dvec3 &p) const {
+        return absolute ? as_float(linear * p + translate) - as_float(eye) : linear * p + lit_offset;
+    }
 };
 WorldTransform world_transform(const Transform &transform, const Setup &setup);
 

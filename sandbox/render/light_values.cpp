@@ -35,21 +35,22 @@ glm::dvec3 scene_half_vector(const Light &light, const Scene &scene) {
 
 } // namespace
 
-LightValues light_values(const Scene &scene, const ObjectLight &on_object, const Material &material, double scale) {
+LightValues light_values(const Scene &scene, const ObjectLight &on_object, const Material &material,
+                         const EyeSpace &space) {
     const Light &light = scene.lights[on_object.index];
     LightValues values;
-    values.position = (light.position - scene.camera.position) * scale;
+    values.position = (light.position - space.lit_origin) * space.lit_scale;
     values.direction = unit(light.direction);
     if (on_object.ambient || on_object.attenuated_ambient) {
         (on_object.ambient ? values.ambient : values.attenuated_ambient) =
             material.ambient * light.color * light.ambient;
     }
-    values.diffuse = material.diffuse * light.color * light.diffuse;
+    values.diffuse = material.diffuse * light.color * (light.diffuse * on_object.diffuse_factor);
     if (on_object.specular) {
-        values.specular = material.specular * light.color * light.specular;
+        values.specular = material.specular * light.color * (light.specular * on_object.specular_factor);
     }
     values.half_vector = scene_half_vector(light, scene);
-    values.attenuation = scaled(light.attenuation, scale);
+    values.attenuation = scaled(light.attenuation, space.lit_scale);
     if (has_cone(light)) {
         values.cos_cutoff = cos_degrees(light.cutoff_degrees);
         values.cos_inner_cutoff = cos_degrees(light.inner_cutoff_degrees);

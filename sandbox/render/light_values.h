@@ -2,13 +2,14 @@
 
 #include "render/uploader.h"
 #include "scene/scene.h"
+#include "shading/eye_space.h"
 #include "shading/object_lights.h"
 
 namespace sandbox {
 
 /// One light as the programs want it: colours already multiplied by the material, directions unit, cosines in double.
 struct LightValues {
-    glm::dvec3 position{0}; ///< from the eye
+    glm::dvec3 position{0}; ///< where `space` measures lighting from
     glm::dvec3 direction{0};
     glm::dvec3 ambient{0}, attenuated_ambient{0}, diffuse{0}, specular{0};
     glm::dvec3 half_vector{0};
@@ -20,8 +21,8 @@ struct LightValues {
     double exponent = 0;
 };
 
-/// `scale` multiplies every length (see EyeSpace).
-LightValues light_values(const Scene &scene, const ObjectLight &on_object, const Material &material, double scale = 1);
+LightValues light_values(const Scene &scene, const ObjectLight &on_object, const Material &material,
+                         const EyeSpace &space);
 
 /// All of one light's members, below `name` ("point_lights[0]").
 void put_light(Uploader &uploader, const std::string &name, const LightValues &light);

@@ -21,7 +21,7 @@ void put_lights(Uploader &uploader, const ObjectDraw &draw) {
         for (const ObjectLight &light : draw.prepared.lights.of_kind[kind.type]) {
             const std::string index = std::to_string(program.is_full() ? all : all - first);
             put_light(uploader, light_uniform(program, kind, index),
-                      light_values(draw.scene, light, draw.object.material, draw.prepared.space.scale));
+                      light_values(draw.scene, light, draw.object.material, draw.prepared.space));
             ++all;
         }
         if (program.is_full()) {
@@ -44,6 +44,24 @@ void put_checker(Uploader &uploader, const Checker &checker, const Mesh &mesh, c
     uploader.put("checker_whole", glm::vec3(whole));
     uploader.put("checker_rest", glm::vec3(below - whole));
     uploader.put("checker_last", static_cast<float>(checker.cells - 1));
+}
+
+/// What the program multiplies vertex normals by.
+glm::dmat3 normal_matrix(const ObjectDraw &draw) {
+    const glm::dmat3 &right = draw.prepared.space.normals;
+    switch (draw.prepared.features.technique.normals) {
+    case Normals::unnormalized:
+        return linear_part(draw.object.transform);
+    case Normals::cofactor:
+        return -right; // only of mirrored objects
+    case Normals::view_space:
+        return world_to_view_axes(draw.scene.camera) * right;
+    case Normals::inverse_transpose:
+    case Normals::model_matrix:
+    case Normals::untransformed:
+        break;
+    }
+    return right;
 }
 
 /// From the eye through a pixel, as far as a depth of 1 along the view.
@@ -72,11 +90,11 @@ void upload_uniforms(const GlProgram &program, const ObjectDraw &draw) {
     const PreparedObject &prepared = draw.prepared;
     const EyeSpace &space = prepared.space;
     uploader.put("model_view_projection", glm::mat4(model_view_projection(scene, space, draw.aspect())));
-    uploader.put("model", glm::mat4(space.model));
+    uploader.put("model", glm::mat4(space.lit_model));
     put_rays(uploader, draw);
     uploader.put("depth_per_octave", static_cast<float>(space.depth_per_octave));
     uploader.put("depth_at_1", static_cast<float>(space.depth_at_1));
-    uploader.put("normal_matrix", glm::mat3(space.normals));
+    uploader.put("normal_matrix", glm::mat3(normal_matrix(draw)));
     uploader.put("eye", glm::vec3(space.eye));
     uploader.put("view_direction", glm::vec3(-camera_axes(scene.camera).forward));
     uploader.put("shininess", static_cast<float>(raised_exponent(scene, prepared.features.technique.model, material)));

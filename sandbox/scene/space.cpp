@@ -101,6 +101,11 @@ CameraAxes camera_axes(const Camera &camera) {
     return {right, glm::cross(right, forward), forward};
 }
 
+glm::dmat3 world_to_view_axes(const Camera &camera) {
+    const CameraAxes axes = camera_axes(camera);
+    return glm::transpose(glm::dmat3(axes.right, axes.up, -axes.forward));
+}
+
 glm::dmat4 view_projection(const Camera &camera, double aspect) {
     const CameraAxes axes = camera_axes(camera);
     const double focal = 1 / std::tan(camera.fov_y_degrees * (std::numbers::pi / 360));

@@ -33,6 +33,8 @@ struct CameraAxes {
 };
 /// Robust where `up` is parallel to the view (another up is chosen).
 CameraAxes camera_axes(const Camera &camera);
+/// From world axes to the camera's: right, up, back.
+glm::dmat3 world_to_view_axes(const Camera &camera);
 
 /// OpenGL's clip space (z in [-w, w]) from camera-relative world space: world position minus camera.position.
 glm::dmat4 view_projection(const Camera &camera, double aspect);

@@ -68,7 +68,7 @@ glm::dvec3 buffer_origin(const Mesh &mesh) {
     return far ? middle : glm::dvec3(0);
 }
 
-EyeSpace eye_space(const Scene &scene, const Object &object, const Mesh &mesh) {
+EyeSpace eye_space(const Scene &scene, const Object &object, const Mesh &mesh, const Technique &technique) {
     EyeSpace space;
     const glm::dmat3 linear = linear_part(object.transform);
     space.origin = buffer_origin(mesh);
@@ -78,7 +78,15 @@ EyeSpace eye_space(const Scene &scene, const Object &object, const Mesh &mesh) {
     space.model[3] =
         glm::dvec4((moved + (object.transform.translate - scene.camera.position)) * space.scale, space.scale);
     space.normals = normal_matrix(linear);
-    space.eye = (scene.camera.position - moved) * space.scale;
+    const bool absolute = technique.position == LightingPosition::absolute;
+    space.lit_origin = absolute ? glm::dvec3(0) : scene.camera.position;
+    space.lit_scale = absolute ? 1 : space.scale;
+    space.lit_model = space.model;
+    if (absolute) {
+        space.lit_model = glm::dmat4(linear);
+        space.lit_model[3] = glm::dvec4(moved + object.transform.translate, 1);
+    }
+    space.eye = (scene.camera.position - (absolute ? space.lit_origin : moved)) * space.lit_scale;
     space.depth_per_octave = 1 / std::log2(scene.camera.far_plane / scene.camera.near_plane);
     space.depth_at_1 = -std::log2(scene.camera.near_plane * space.scale) * space.depth_per_octave;
     return space;

@@ -3,6 +3,7 @@
 #include "scene/mesh.h"
 #include "scene/resources.h"
 #include "scene/scene.h"
+#include "shading/technique.h"
 
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
@@ -22,13 +23,20 @@ struct EyeSpace {
     /// For normals: sign(det A) cofactor(A) of the linear part A, scaled so that no element is larger than 1. The
     /// inverse transpose times a positive factor where A is invertible, and still a normal's matrix where A is not.
     glm::dmat3 normals{1};
-    glm::dvec3 eye{0}; ///< scale * (eye - the linear part of origin): what position=w0 subtracts
+    /// From position - origin to where lighting takes the surface to be: scale * (world position - lit_origin), scale.
+    /// The same as `model`, and lit_origin the eye, unless the technique says position=absolute.
+    glm::dmat4 lit_model{1};
+    glm::dvec3 lit_origin{0};
+    double lit_scale = 1;
+    /// What a program that reads the eye is given: with position=w0 scale * (eye - the linear part of origin), which
+    /// is subtracted; else the eye from lit_origin, times lit_scale.
+    glm::dvec3 eye{0};
     /// Of deep scenes: window depth as the logarithm of the distance d along the view, 0 at near and 1 at far, is
     /// depth_at_1 + depth_per_octave * log2(d).
     double depth_at_1 = 0, depth_per_octave = 1;
 };
 
-EyeSpace eye_space(const Scene &scene, const Object &object, const Mesh &mesh);
+EyeSpace eye_space(const Scene &scene, const Object &object, const Mesh &mesh, const Technique &technique = {});
 
 /// The middle of a mesh that lies far from its own origin, else 0.
 glm::dvec3 buffer_origin(const Mesh &mesh);

@@ -27,11 +27,15 @@ bool may_touch(const Light &light, const Object &object, const Mesh &mesh) {
     return glm::all(glm::greaterThanEqual(p, bounds.low - room)) && glm::all(glm::lessThanEqual(p, bounds.high + room));
 }
 
-Exponent exponent_kind(const Technique &technique, double n) {
+Exponent exponent_kind(const Technique &technique, Normals normals, double n) {
     // The stable form measures an angle between unit vectors. Interpolated R and V are made unit whatever N is.
     const bool can_be_stable =
-        technique.renormalize == Renormalize::on ||
-        (mirrors_view(technique.model) && technique.frequency == Frequency::interpolated_vectors);
+        normals != Normals::unnormalized &&
+        (technique.renormalize == Renormalize::on ||
+         (mirrors_view(technique.model) && technique.frequency == Frequency::interpolated_vectors));
+    if (technique.power == Power::naive) {
+        return Exponent::textbook;
+    }
     if (n == 0 || n == 1) {
         return n == 0 ? Exponent::zero : Exponent::one;
     }
@@ -85,6 +89,10 @@ LightFeatures light_features(const std::vector<ObjectLight> &lights, const Scene
             lights, [&](const ObjectLight &light) { return is(scene.lights[light.index].attenuation.constant); });
     };
     f.constant = f.attenuated() && any_constant([](double constant) { return constant != 0; });
+    if (technique.power == Power::naive) { // no case of its own for what pow() or normalize() leave undefined
+        f.exponent = f.cone();
+        f.no_exponent = f.on_surface = false;
+    }
     f.floor = f.attenuated() && any_constant([](double constant) { return constant < 1e-6; });
     f.no_exponent = f.no_exponent && f.exponent;
     f.stable_exponent = f.stable_exponent && f.exponent;
@@ -99,6 +107,11 @@ bool lit_ambient(const Features &f) {
 
 /// The faults that nobody could see are left out: of a uniform scale, and of no transform at all.
 void derive_normal_transform(Features &f, Normals normals, const glm::dmat3 &linear, const EyeSpace &space) {
+    if (normals == Normals::unnormalized || normals == Normals::cofactor || normals == Normals::view_space) {
+        f.technique.normals = normals;
+        f.normal_transform = NormalTransform::general;
+        return;
+    }
     const bool uniform = scales_evenly(linear);
     if (uniform && linear == glm::dmat3(linear[0][0]) && linear[0][0] > 0) {
         return;
@@ -116,7 +129,7 @@ void derive_normal_transform(Features &f, Normals normals, const glm::dmat3 &lin
 /// How short or long may a unit normal become, by the columns of its matrix (which are orthogonal before they are
 /// turned)? Singular matrices leave nothing of some.
 bool may_lose_normals(const Features &f, const EyeSpace &space) {
-    if (f.normal_transform != NormalTransform::general) {
+    if (f.normal_transform != NormalTransform::general || f.technique.normals == Normals::unnormalized) {
         return false;
     }
     const glm::dmat3 m = f.technique.normals == Normals::model_matrix ? glm::dmat3(space.model) : space.normals;
@@ -126,6 +139,7 @@ bool may_lose_normals(const Features &f, const EyeSpace &space) {
 
 void derive_normals(Features &f, const Technique &technique, const Object &object, const Mesh &mesh,
                     const EyeSpace &space) {
+    const Normals normals = f.technique.normals;
     f.technique.normals = Normals::inverse_transpose;
     f.technique.renormalize = Renormalize::on;
     f.two_sided = f.normals && object.two_sided;
@@ -133,15 +147,17 @@ void derive_normals(Features &f, const Technique &technique, const Object &objec
     if (!f.normals) {
         return;
     }
-    derive_normal_transform(f, technique.normals, linear_part(object.transform), space);
-    f.guard_vertex_normal = may_lose_normals(f, space);
+    derive_normal_transform(f, normals, linear_part(object.transform), space);
+    const bool naive = technique.power == Power::naive;
+    f.guard_vertex_normal = !naive && may_lose_normals(f, space);
     const bool interpolated = f.technique.frequency == Frequency::per_pixel ||
                               f.technique.frequency == Frequency::interpolated_vectors ||
                               (f.technique.frequency == Frequency::hybrid && f.specular());
     if (interpolated) {
         f.technique.renormalize = technique.renormalize;
         // A flattened object's normals are all but opposite on the two sides of its rim.
-        f.guard_normal = technique.renormalize == Renormalize::on && (mesh.opposing_normals || f.guard_vertex_normal);
+        f.guard_normal = !naive && technique.renormalize == Renormalize::on && normals != Normals::unnormalized &&
+                         (mesh.opposing_normals || f.guard_vertex_normal);
     }
 }
 
@@ -160,13 +176,13 @@ void derive_surface(Features &f, const Technique &technique, const Material &mat
 
 void derive_highlights(Features &f, const Scene &scene, const Technique &technique, const Material &material) {
     f.technique.half_vector = HalfVector::exact; // what of these shows, given_half_vector and exponent say
-    f.technique.power = Power::automatic;
+    f.technique.power = technique.power == Power::naive ? f.technique.power : Power::automatic;
     if (!f.specular()) {
         f.technique.model = Model::lambert;
         f.technique.gate = Gate::light_facing;
         return;
     }
-    f.exponent = exponent_kind(technique, raised_exponent(scene, technique.model, material));
+    f.exponent = exponent_kind(technique, f.technique.normals, raised_exponent(scene, technique.model, material));
     for (const LightKind &kind : light_kinds) {
         LightFeatures &light = f.lights[kind.type];
         const bool same_everywhere =

@@ -1,6 +1,11 @@
 #include "shading/object_lights.h"
 
+#include "shading/features.h"
+
+#include <numbers>
+
 namespace sandbox {
+
 ShiningTerms terms_on(const Object &object, const Light &light, Model model) {
     const auto shines = [&](double intensity, const glm::dvec3 &color) {
         return light.enabled && intensity != 0 && light.color * color != glm::dvec3(0);
@@ -20,6 +25,8 @@ bool ambient_with_light(const Light &light, const Technique &technique) {
 
 ObjectLights lights_on_object(const Scene &scene, const Technique &technique, const Object &object) {
     ObjectLights result;
+    const bool normalised = technique.normalisation == Normalisation::blinn_phong;
+    const double n = raised_exponent(scene, technique.model, object.material);
     glm::dvec3 constant = scene.ambient;
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const Light &light = scene.lights[i];
@@ -31,11 +38,14 @@ ObjectLights lights_on_object(const Scene &scene, const Technique &technique, co
         const bool ambient = own_ambient && terms.ambient;
         const bool attenuated = light.attenuate_ambient && fades(light);
         if (ambient || terms.diffuse || terms.specular) {
-            result.of_kind[drawn_type(light)].push_back({.index = i,
-                                                         .ambient = ambient && !attenuated,
-                                                         .attenuated_ambient = ambient && attenuated,
-                                                         .diffuse = terms.diffuse,
-                                                         .specular = terms.specular});
+            result.of_kind[drawn_type(light)].push_back(
+                {.index = i,
+                 .ambient = ambient && !attenuated,
+                 .attenuated_ambient = ambient && attenuated,
+                 .diffuse = terms.diffuse,
+                 .specular = terms.specular,
+                 .diffuse_factor = normalised ? std::numbers::inv_pi : 1,
+                 .specular_factor = normalised ? (n + 8) / (8 * std::numbers::pi) : 1});
         }
     }
     result.constant_ambient = object.material.ambient * constant;

@@ -22,6 +22,7 @@ struct ObjectLight {
     bool ambient;      ///< an ambient term that is no part of the constant one: it asks whether the light is faced
     bool attenuated_ambient; ///< an ambient term times attenuation and cone
     bool diffuse, specular;
+    double diffuse_factor = 1, specular_factor = 1; ///< of the normalisation
 };
 
 /// All light that reaches an object.

@@ -67,26 +67,34 @@ constexpr Reflection reflection(Model model) {
 }
 constexpr bool mirrors_view(Model model) { return reflection(model).specular && !reflection(model).half_vector; }
 
-enum class Normals { inverse_transpose, model_matrix, untransformed };
+enum class Normals { inverse_transpose, model_matrix, untransformed, unnormalized, cofactor, view_space };
 inline constexpr TechniqueValue normals_values[]{
     {"inverse-transpose", "normal matrix", "right under every transform"},
     {"model-matrix", "model matrix", "wrong under non-uniform scale: look at squashed objects",
      rules::scales_normals_unevenly},
     {"untransformed", "untransformed", "the light seems to turn with the object", rules::transforms_normals},
+    {"unnormalized", "never made unit", "the transform's scale stays in N: a scaled object is too bright or too dark",
+     rules::reads_normal_lengths},
+    {"cofactor", "cofactors without a sign", "the determinant's sign is forgotten: light from the wrong side",
+     rules::mirrors_normals},
+    {"view-space", "in view space", "N in view space, all else in world space: light turns with the camera",
+     rules::turns_normals_to_view},
 };
 
 enum class Renormalize { on, off };
 inline constexpr TechniqueValue renormalize_values[]{
     {"on", "on", "right"},
     {"off", "off", "highlights dim in the middle of large triangles", rules::reads_normals_per_pixel,
-     rules::needs_interpolated_normals},
+     rules::needs_unit_normals_per_pixel},
 };
 
-enum class LightingPosition { world, w0 };
+enum class LightingPosition { world, w0, absolute };
 inline constexpr TechniqueValue position_values[]{
     {"world", "world space", "right"},
     {"w0", "without translation", "w = 0 drops the translation: objects are lit as if they stood at the origin",
      rules::reads_translation},
+    {"absolute", "absolute float32", "float32 world coordinates: far from the world's origin, lighting falls apart",
+     rules::reads_positions},
 };
 
 enum class Gate { light_facing, view_facing, none, times_n_dot_l };
@@ -143,11 +151,21 @@ inline constexpr TechniqueValue attenuation_values[]{
      rules::needs_exact_distances},
 };
 
-enum class Power { automatic, textbook, stable };
+enum class Power { automatic, textbook, stable, naive };
 inline constexpr TechniqueValue power_values[]{
     {"auto", "automatic", "pow() below n = 1024, the stable form from there"},
     {"textbook", "textbook", "pow(): its error grows with n", rules::raises_large_exponents},
     {"stable", "stable", "exp(n log(1 - x)) from the small quantity x itself", rules::raises_small_exponents},
+    {"naive", "naive", "pow() and normalize() as people write them: undefined at pow(0, 0) and normalize(0)",
+     rules::has_light, rules::needs_specialised_program},
+};
+
+enum class Normalisation { none, blinn_phong };
+inline constexpr TechniqueValue normalisation_values[]{
+    {"none", "none", "the equation as it is"},
+    {"blinn-phong", "Blinn-Phong",
+     "(n + 8) / (8 pi) times specular, 1 / pi times diffuse: keeps energy with gate=times-n-dot-l only",
+     rules::has_diffuse_or_specular, rules::needs_half_vector},
 };
 
 enum class Program { specialised, full };
@@ -170,6 +188,7 @@ struct Technique {
     DirectionSign direction = DirectionSign::travel;
     AttenuationAt attenuation = AttenuationAt::exact;
     Power power = Power::automatic;
+    Normalisation normalisation = Normalisation::none;
     Program program = Program::specialised;
     auto operator<=>(const Technique &) const = default; // NOLINT(modernize-use-nullptr): version 14 errs
 };
@@ -233,6 +252,8 @@ inline constexpr TechniqueKey technique_settings[]{
     fault_key<&Technique::attenuation>("attenuation", "attenuation", "where attenuation is computed",
                                        attenuation_values),
     variant_key<&Technique::power>("power", "power", "how f^n is computed in float32", power_values),
+    variant_key<&Technique::normalisation>("normalisation", "normalisation",
+                                           "a factor that keeps the energy of highlights", normalisation_values),
     variant_key<&Technique::program>("program", "program", "the GLSL program", program_values),
 };
 

@@ -38,9 +38,13 @@ bool raises(const Scene &scene, const Object &object, const Technique &technique
 
 } // namespace
 
-std::string_view needs_interpolated_normals(const Technique &technique) {
-    return lights_pixels(technique) ? ""
-                                    : "can have no effect: no normal is interpolated under this frequency and model";
+std::string_view needs_unit_normals_per_pixel(const Technique &technique) {
+    if (!lights_pixels(technique)) {
+        return "can have no effect: no normal is interpolated under this frequency and model";
+    }
+    return technique.normals == Normals::unnormalized
+               ? "can have no effect: normals=unnormalized makes no normal unit anywhere"
+               : "";
 }
 
 std::string_view needs_specular(const Technique &technique) {
@@ -63,6 +67,21 @@ std::string_view needs_exact_distances(const Technique &technique) {
     return technique.frequency == Frequency::interpolated_vectors
                ? "can have no effect: interpolated-vectors always interpolates the distance"
                : needs_attenuation_per_pixel(technique);
+}
+
+std::string_view needs_specialised_program(const Technique &technique) {
+    return technique.program == Program::full ? "needs a program without guards, and program=full keeps them" : "";
+}
+
+bool has_light(const Scene &scene, const Object &object, const Technique &technique) {
+    return any_light(scene, object, technique, [](const Light &, const ShiningTerms &terms) {
+        return terms.ambient || terms.diffuse || terms.specular;
+    });
+}
+
+bool has_diffuse_or_specular(const Scene &scene, const Object &object, const Technique &technique) {
+    return any_light(scene, object, technique,
+                     [](const Light &, const ShiningTerms &terms) { return terms.diffuse || terms.specular; });
 }
 
 bool has_specular(const Scene &scene, const Object &object, const Technique &technique) {
@@ -101,19 +120,36 @@ bool turns_normals(const Scene &scene, const Object &object, const Technique &te
     return object.two_sided && reads_normals(scene, object, technique);
 }
 
+bool mirrors_normals(const Scene &scene, const Object &object, const Technique &technique) {
+    return is_mirrored(object.transform) && reads_normals(scene, object, technique);
+}
+
+bool turns_normals_to_view(const Scene &scene, const Object &object, const Technique &technique) {
+    return world_to_view_axes(scene.camera) != glm::dmat3(1) && reads_normals(scene, object, technique);
+}
+
+bool reads_normal_lengths(const Scene &scene, const Object &object, const Technique &technique) {
+    const bool keeps_lengths = glm::abs(object.transform.scale) == glm::dvec3(1);
+    return keeps_lengths ? lights_pixels(technique) && reads_normals_per_pixel(scene, object, technique)
+                         : reads_normals(scene, object, technique);
+}
+
 bool reads_normals_per_pixel(const Scene &scene, const Object &object, const Technique &technique) {
     return technique.frequency == Frequency::hybrid ? has_specular(scene, object, technique)
                                                     : reads_normals(scene, object, technique);
 }
 
-bool reads_translation(const Scene &scene, const Object &object, const Technique &technique) {
+bool reads_positions(const Scene &scene, const Object &object, const Technique &technique) {
     const bool where_lit = technique.ambient == AmbientWhere::where_lit;
     const bool places_lights = any_light(scene, object, technique, [&](const Light &light, const ShiningTerms &terms) {
         return has_position(light) && (terms.diffuse || terms.specular ||
                                        (terms.ambient && (where_lit || (light.attenuate_ambient && fades(light)))));
     });
-    return object.transform.translate != glm::dvec3(0) &&
-           (places_lights || (technique.viewer == Viewer::local && reads_view(scene, object, technique)));
+    return places_lights || (technique.viewer == Viewer::local && reads_view(scene, object, technique));
+}
+
+bool reads_translation(const Scene &scene, const Object &object, const Technique &technique) {
+    return object.transform.translate != glm::dvec3(0) && reads_positions(scene, object, technique);
 }
 
 bool attenuates_per_pixel(const Scene &scene, const Object &object, const Technique &technique) {

@@ -104,6 +104,18 @@ TEST(Lighting, GatesDecideAboutTheHighlightAlone) {
     EXPECT_EQ(spot.terms().specular.x, 0);
 }
 
+TEST(Lighting, NormalisationScalesDiffuseAndHighlight) {
+    Spot spot; // Blinn-Phong
+    spot.angles(50 * degree, 30 * degree);
+    const LightTerms plain = spot.terms();
+    spot.technique.normalisation = Normalisation::blinn_phong;
+    spot.scene.blinn_exponent_scale = 4; // n as raised: 40
+    const double pi = std::numbers::pi;
+    EXPECT_NEAR(spot.terms().diffuse.x, plain.diffuse.x / pi, tight);
+    EXPECT_NEAR(spot.terms().specular.x, 0.75 * std::pow(std::cos(10 * degree), 40) * 48 / (8 * pi), tight);
+    EXPECT_EQ(spot.terms().ambient, plain.ambient);
+}
+
 TEST(Lighting, AttenuationFallsWithDistanceAndIsFloored) {
     Spot spot;
     spot.light().attenuation = {0.5, 0.25, 0.125};

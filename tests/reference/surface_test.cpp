@@ -25,6 +25,34 @@ TEST(Normals, InverseTransposeIsTheGradientOfASquashedSphere) {
     EXPECT_EQ(transform_normal(normal_matrix(linear_part(squash), Normals::untransformed), n), n);
 }
 
+TEST(Normals, FaultsForgetTheSignTheLengthOrTheSpace) {
+    Scene scene;
+    scene.camera.position = {5, 0, 0}; // looks along -x: the world's x is the view's z
+    scene.camera.target = {0, 0, 0};
+    Transform transform;
+    transform.scale = {-2, 3, 4};
+    const auto normal = [&](Normals normals, const glm::dvec3 &n) {
+        return world_transform(transform, prepare(scene, {.normals = normals})).normal(n);
+    };
+    EXPECT_EQ(normal(Normals::cofactor, {0, 1, 0}), glm::dvec3(0, -1, 0)); // det < 0
+    EXPECT_EQ(normal(Normals::unnormalized, {0, 1, 0}), glm::dvec3(0, 3, 0));
+    EXPECT_NEAR(glm::length(normal(Normals::view_space, {-1, 0, 0}) - glm::dvec3(0, 0, 1)), 0, tight);
+    transform.scale = {2, 3, 4};
+    EXPECT_EQ(normal(Normals::cofactor, {0, 1, 0}), glm::dvec3(0, 1, 0));
+}
+
+TEST(WorldTransform, AbsolutePositionsAreThoseOfFloat32) {
+    Scene scene;
+    scene.camera.position = {(1 << 24) + 1, 0, 0}; // float32 counts by twos from here on
+    Transform transform;
+    transform.translate = {1 << 24, 0.1, 0};
+    const Setup setup = prepare(scene, {.position = LightingPosition::absolute});
+    const WorldTransform to_world = world_transform(transform, setup);
+    EXPECT_EQ(to_world.lit({0.9, 0, 0}), glm::dvec3(0, double{0.1F}, 0)); // both round to 2^24
+    EXPECT_EQ(to_world.seen({0.9, 0, 0}).y, 0.1);
+    EXPECT_NEAR(to_world.seen({0.9, 0, 0}).x, -0.1, 1e-8); // double's own step there is 4e-9
+}
+
 TEST(Normals, MirroredObjectsKeepTheirNormalsOutside) {
     Transform mirror;
     mirror.scale = {-1, 1, 1};

@@ -180,6 +180,73 @@ TEST_F(ClosedForm, TheFaultsDoWhatTheySay) {
     EXPECT_NEAR(middle(scene, "per-pixel/lambert:position=w0").r, 0.5, rounding); // lit as if at the origin: d = 2
 }
 
+TEST_F(ClosedForm, NormalsThatForgetASignALengthOrASpace) {
+    Scene scene = plane_from_above();
+    scene.lights = {directional(60)};
+    scene.lights[0].specular = 0;
+    scene.objects[0].transform.scale = {-1, 1, 1};
+    EXPECT_NEAR(middle(scene, "per-pixel/lambert").r, 0.5, rounding);
+    EXPECT_EQ(middle(scene, "per-pixel/lambert:normals=cofactor").r, 0); // N points down
+    scene.lights[0].direction = {0, 1, 0};                               // from below
+    EXPECT_NEAR(middle(scene, "per-pixel/lambert:normals=cofactor").r, 1, rounding);
+    scene.lights = {directional(60)};
+    scene.objects[0].material.shininess = 2;
+    for (const std::string frequency : {"flat", "per-vertex", "per-pixel", "interpolated-vectors", "hybrid"}) {
+        scene.objects[0].transform.scale = glm::dvec3(0.5);
+        scene.lights[0].specular = 0;
+        EXPECT_NEAR(middle(scene, frequency + "/phong:normals=unnormalized").r, 0.25, rounding) << frequency;
+        scene.lights[0].diffuse = 0;
+        scene.lights[0].specular = 1;
+        scene.objects[0].transform.scale = glm::dvec3(2);
+        scene.camera.position = {0, 400, 0}; // V all but the same at all vertices
+        // N.H = 2 cos 30, whatever is interpolated; squared
+        EXPECT_NEAR(middle(scene, frequency + "/blinn-phong:normals=unnormalized").r, 3, 100 * rounding) << frequency;
+        scene.camera.position = {0, 4, 0};
+        scene.lights[0].diffuse = 1;
+    }
+    scene.objects[0].transform.scale = glm::dvec3(1);
+    scene.lights[0].specular = 0;
+    scene.lights[0].direction = {0, 0, -1}; // along the floor; in view space N is (0, 0, 1)
+    EXPECT_NEAR(middle(scene, "per-pixel/lambert:normals=view-space").r, 1, rounding);
+}
+
+TEST_F(ClosedForm, NormalisedHighlightsAndLightPi) {
+    Scene scene = plane_from_above();
+    scene.lights = {directional(60)};
+    scene.objects[0].material.shininess = 2;
+    scene.blinn_exponent_scale = 4; // n = 8; N.H = cos 30
+    const double pi = std::numbers::pi;
+    EXPECT_NEAR(middle(scene, "per-pixel/blinn-phong:normalisation=blinn-phong").r,
+                0.5 / pi + 16 / (8 * pi) * std::pow(0.75, 4), rounding);
+    EXPECT_NEAR(middle(scene, "per-pixel/blinn-phong:gate=times-n-dot-l").r, 0.5 + 0.5 * std::pow(0.75, 4), rounding);
+}
+
+TEST_F(ClosedForm, NaivePowersAndUnitVectorsAreThoseOfTheTextbookWhereDefined) {
+    Scene scene = plane_from_above();
+    scene.lights = {directional(30), point_at({1, 2, 0}), spot_at({0, 2, 0}, {0, -1, 0})};
+    scene.lights[2].cutoff_degrees = scene.lights[2].inner_cutoff_degrees = 60;
+    for (const char *model : {"lambert", "phong", "blinn-phong"}) {
+        const std::string technique = std::string("per-pixel/") + model;
+        EXPECT_NEAR(middle(scene, technique + ":power=naive").r, middle(scene, technique).r, rounding) << model;
+    }
+}
+
+TEST_F(ClosedForm, AbsolutePositionsLoseWhatFloat32CannotHold) {
+    Scene scene = plane_from_above();
+    scene.lights = {point_at({1, 1, 0})};
+    scene.lights[0].specular = 0;
+    scene.lights[0].attenuation = {0, 0, 1};
+    const double right = std::sqrt(0.5) / 2;
+    EXPECT_NEAR(middle(scene, "per-pixel/lambert:position=absolute").r, right, rounding);
+    const glm::dvec3 far{1 << 24, 0, 0}; // float32 counts by twos from here on
+    scene.camera.position += far;
+    scene.camera.target += far;
+    scene.objects[0].transform.translate = far;
+    scene.lights[0].position += far; // rounds to 0 off the middle in place of 1
+    EXPECT_NEAR(middle(scene, "per-pixel/lambert").r, right, rounding);
+    EXPECT_NEAR(middle(scene, "per-pixel/lambert:position=absolute").r, 1, rounding);
+}
+
 // At height y = 1/4 of a unit sphere squashed to half its height the object's normal is (cos 30, sin 30): the inverse
 // transpose makes it (cos 30, 2 sin 30) / sqrt(7/4), the model matrix (cos 30, sin 30 / 2) / sqrt(13/16).
 TEST_F(ClosedForm, NormalsOfASquashedSphere) {
