@@ -59,11 +59,14 @@ WorldTransform world_transform(const Transform &transform, const Setup &setup) {
     to_world.linear = linear_part(transform);
     to_world.offset = transform.translate - setup.eye;
     to_world.lit_offset = setup.technique.position == LightingPosition::w0 ? -setup.eye : to_world.offset;
-    to_world.normals = normal_matrix(to_world.linear, setup.technique.normals);
+    // Without a scale nothing but rounding tells unnormalized normals from unit ones: it must not look like a fault.
+    to_world.unnormalized =
+        setup.technique.normals == Normals::unnormalized && glm::abs(transform.scale) != glm::dvec3(1);
+    const bool unit = setup.technique.normals == Normals::unnormalized && !to_world.unnormalized;
+    to_world.normals = normal_matrix(to_world.linear, unit ? Normals::inverse_transpose : setup.technique.normals);
     if (setup.technique.normals == Normals::view_space) {
         to_world.normals = setup.to_view * to_world.normals;
     }
-    to_world.unnormalized = setup.technique.normals == Normals::unnormalized;
     to_world.absolute = setup.technique.position == LightingPosition::absolute;
     to_world.translate = transform.translate;
     to_world.eye = setup.eye;

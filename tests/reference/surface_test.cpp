@@ -46,7 +46,7 @@ TEST(WorldTransform, AbsolutePositionsAreThoseOfFloat32) {
     scene.camera.position = {(1 << 24) + 1, 0, 0}; // float32 counts by twos from here on
     Transform transform;
     transform.translate = {1 << 24, 0.1, 0};
-    const Setup setup = prepare(scene, {.position = LightingPosition::absolute});
+    const auto setup = prepare(scene, {.position = LightingPosition::absolute});
     const WorldTransform to_world = world_transform(transform, setup);
     EXPECT_EQ(to_world.lit({0.9, 0, 0}), glm::dvec3(0, double{0.1F}, 0)); // both round to 2^24
     EXPECT_EQ(to_world.seen({0.9, 0, 0}).y, 0.1);

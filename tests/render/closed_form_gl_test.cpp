@@ -191,6 +191,7 @@ TEST_F(ClosedForm, NormalsThatForgetASignALengthOrASpace) {
     EXPECT_NEAR(middle(scene, "per-pixel/lambert:normals=cofactor").r, 1, rounding);
     scene.lights = {directional(60)};
     scene.objects[0].material.shininess = 2;
+    scene.camera.far_plane = 1000;
     for (const std::string frequency : {"flat", "per-vertex", "per-pixel", "interpolated-vectors", "hybrid"}) {
         scene.objects[0].transform.scale = glm::dvec3(0.5);
         scene.lights[0].specular = 0;
@@ -198,9 +199,11 @@ TEST_F(ClosedForm, NormalsThatForgetASignALengthOrASpace) {
         scene.lights[0].diffuse = 0;
         scene.lights[0].specular = 1;
         scene.objects[0].transform.scale = glm::dvec3(2);
-        scene.camera.position = {0, 400, 0}; // V all but the same at all vertices
-        // N.H = 2 cos 30, whatever is interpolated; squared
+        scene.objects[0].mesh = PlaneShape{{0.04, 0.04}, 1};
+        scene.camera.position = {0, 200, 0};
+        // N.H = 2 cos 30, squared, at every point to within 0.04 / 200
         EXPECT_NEAR(middle(scene, frequency + "/blinn-phong:normals=unnormalized").r, 3, 100 * rounding) << frequency;
+        scene.objects[0].mesh = PlaneShape{{4, 4}, 2};
         scene.camera.position = {0, 4, 0};
         scene.lights[0].diffuse = 1;
     }

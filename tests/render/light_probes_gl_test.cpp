@@ -139,7 +139,7 @@ void probe_light(const LightCase &c) {
     const auto got = probe.run(inputs, [&](const GlProgram &program) {
         Uploader uploader(program);
         put_light(uploader, "the_" + kind + "_light",
-                  light_values(scene, prepared.lights.of_kind[type].at(0), scene.objects[0].material));
+                  light_values(scene, prepared.lights.of_kind[type].at(0), scene.objects[0].material, prepared.space));
         uploader.put("shininess",
                      static_cast<float>(raised_exponent(scene, technique.model, scene.objects[0].material)));
     });

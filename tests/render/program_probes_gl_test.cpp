@@ -165,7 +165,7 @@ void probe_full_light(const std::string &name, const Light &light, const std::st
     const auto got = probe.run(inputs, [&](const GlProgram &program) {
         Uploader uploader(program);
         put_light(uploader, "lights[0]",
-                  light_values(scene, prepared.lights.of_kind[drawn_type(light)].at(0), material));
+                  light_values(scene, prepared.lights.of_kind[drawn_type(light)].at(0), material, prepared.space));
         uploader.put(std::string(kind_of(drawn_type(light)).word) + "_end", 1);
         uploader.put("ambient", glm::vec3(prepared.lights.constant_ambient));
         uploader.put("shininess", static_cast<float>(raised_exponent(scene, technique.model, material)));

@@ -87,6 +87,9 @@ std::vector<Scene> feature_scenes() {
     Scene stiff = scene_of("stiff", {point(), directional()});
     stiff.objects[0].material.shininess = 5000;
     scenes.push_back(stiff);
+    Scene mirrored = scene_of("mirrored", {directional()});
+    mirrored.objects[0].transform.scale = {-1, 1, 1};
+    scenes.push_back(mirrored);
     return scenes;
 }
 
