@@ -4,6 +4,8 @@ struct ${array.type} {
 #if array.positional
 #if position_absolute && !full
     vec3 position; // Fault: in world space, far from whose origin float32 is coarse
+#elif off_eye && !full
+    vec3 position; // from the object's middle
 #else
     vec3 position; // from the eye
 #endif

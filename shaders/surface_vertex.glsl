@@ -1,5 +1,7 @@
 #if reads_model && position_absolute && !full
 uniform mat4 model; // Fault: world space, far from whose origin float32 is coarse
+#elif reads_model && off_eye && !full
+uniform mat4 model; // world space, moved so that the object's middle is the origin: the eye is too far away
 #elif reads_model
 uniform mat4 model; // world space, moved so that the eye is the origin
 #endif

@@ -40,9 +40,9 @@ void main()
 #endif
 #if vertex.V && viewer_infinite
     vec3 V = view_direction;
-#elif vertex.V && position_absolute && power_naive && !full
+#elif vertex.V && off_eye && power_naive && !full
     vec3 V = normalize(eye - P);
-#elif vertex.V && position_absolute
+#elif vertex.V && off_eye
     vec3 V = (eye - P) / max(length(eye - P), 1e-18); // a vertex may lie at the eye
 #elif vertex.V && power_naive && !full
     vec3 V = normalize(-P); // Fault: a vertex may lie at the eye.

@@ -3,6 +3,7 @@
 #include "render/gl_state.h"
 #include "render/mesh_buffers.h"
 #include "render/program_cache.h"
+#include "render/seen_part.h"
 #include "render/uniforms.h"
 #include "scene/space.h"
 #include "shading/prepared_object.h"
@@ -101,8 +102,11 @@ struct Renderer::Impl {
     }
 
     void draw(const Scene &scene, const Technique &technique, Target &target, bool guarded) {
-        const auto loaded = resources.load(scene);
+        auto loaded = resources.load(scene);
         const bool deep = is_deep(scene, loaded);
+        if (guarded) {
+            loaded = seen_parts(scene, technique, std::move(loaded), aspect_of(target));
+        }
         const auto prepared = prepare_objects(
             scene, technique, loaded, {.object_ids = target.has_object_ids(), .deep = deep, .guarded = guarded});
         const PassState pass(target.framebuffer(), target.size(), DepthTest::on);

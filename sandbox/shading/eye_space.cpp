@@ -57,6 +57,18 @@ glm::dmat3 normal_matrix(const glm::dmat3 &linear) {
     return largest > 0 ? cofactor * (sign / largest) : m;
 }
 
+/// World space; holds every vertex.
+struct Ball {
+    glm::dvec3 center;
+    double radius;
+};
+Ball bounding_ball(const Object &object, const Mesh &mesh) {
+    const glm::dmat3 linear = linear_part(object.transform);
+    const glm::dvec3 half = 0.5 * (mesh.bounds.high - mesh.bounds.low);
+    return {linear * (0.5 * (mesh.bounds.low + mesh.bounds.high)) + object.transform.translate,
+            half.x * glm::length(linear[0]) + half.y * glm::length(linear[1]) + half.z * glm::length(linear[2])};
+}
+
 } // namespace
 
 glm::dvec3 buffer_origin(const Mesh &mesh) {
@@ -68,7 +80,8 @@ glm::dvec3 buffer_origin(const Mesh &mesh) {
     return far ? middle : glm::dvec3(0);
 }
 
-EyeSpace eye_space(const Scene &scene, const Object &object, const Mesh &mesh, const Technique &technique) {
+EyeSpace eye_space(const Scene &scene, const Object &object, const Mesh &mesh, const Technique &technique,
+                   bool guarded) {
     EyeSpace space;
     const glm::dmat3 linear = linear_part(object.transform);
     space.origin = buffer_origin(mesh);
@@ -79,14 +92,18 @@ EyeSpace eye_space(const Scene &scene, const Object &object, const Mesh &mesh, c
         glm::dvec4((moved + (object.transform.translate - scene.camera.position)) * space.scale, space.scale);
     space.normals = normal_matrix(linear);
     const bool absolute = technique.position == LightingPosition::absolute;
-    space.lit_origin = absolute ? glm::dvec3(0) : scene.camera.position;
+    space.afar = guarded && technique.position == LightingPosition::world && is_afar(scene, object, mesh);
     space.lit_scale = absolute ? 1 : space.scale;
     space.lit_model = space.model;
-    if (absolute) {
-        space.lit_model = glm::dmat4(linear);
-        space.lit_model[3] = glm::dvec4(moved + object.transform.translate, 1);
+    space.lit_origin = scene.camera.position;
+    space.eye = (scene.camera.position - moved) * space.lit_scale;
+    if (absolute || space.afar) {
+        space.lit_origin = absolute ? glm::dvec3(0) : bounding_ball(object, mesh).center;
+        const glm::dvec3 from_there = moved + (object.transform.translate - space.lit_origin);
+        space.lit_model = glm::dmat4(linear * space.lit_scale);
+        space.lit_model[3] = glm::dvec4(from_there * space.lit_scale, space.lit_scale);
+        space.eye = (scene.camera.position - space.lit_origin) * space.lit_scale;
     }
-    space.eye = (scene.camera.position - (absolute ? space.lit_origin : moved)) * space.lit_scale;
     space.depth_per_octave = 1 / std::log2(scene.camera.far_plane / scene.camera.near_plane);
     space.depth_at_1 = -std::log2(scene.camera.near_plane * space.scale) * space.depth_per_octave;
     return space;
@@ -96,12 +113,13 @@ glm::dmat4 model_view_projection(const Scene &scene, const EyeSpace &space, doub
     return view_projection(scene.camera, aspect) * space.model;
 }
 
+bool is_afar(const Scene &scene, const Object &object, const Mesh &mesh) {
+    const auto [center, radius] = bounding_ball(object, mesh);
+    return glm::length(center - scene.camera.position) > 32 * radius;
+}
+
 bool is_wide(const Scene &scene, const Object &object, const Mesh &mesh) {
-    const glm::dmat3 linear = linear_part(object.transform);
-    const glm::dvec3 half = 0.5 * (mesh.bounds.high - mesh.bounds.low);
-    const double radius =
-        half.x * glm::length(linear[0]) + half.y * glm::length(linear[1]) + half.z * glm::length(linear[2]);
-    const glm::dvec3 center = linear * (0.5 * (mesh.bounds.low + mesh.bounds.high)) + object.transform.translate;
+    const auto [center, radius] = bounding_ball(object, mesh);
     const double distance = glm::length(center - scene.camera.position) - radius;
     return radius > 1e4 * std::max(distance, scene.camera.near_plane);
 }

@@ -23,11 +23,13 @@ struct EyeSpace {
     /// For normals: sign(det A) cofactor(A) of the linear part A, scaled so that no element is larger than 1. The
     /// inverse transpose times a positive factor where A is invertible, and still a normal's matrix where A is not.
     glm::dmat3 normals{1};
-    /// From position - origin to where lighting takes the surface to be: scale * (world position - lit_origin), scale.
-    /// The same as `model`, and lit_origin the eye, unless the technique says position=absolute.
+    /// From position - origin to where lighting takes the surface to be: lit_scale * (world position - lit_origin), and
+    /// lit_scale. The same as `model`, and lit_origin the eye, unless the object is afar (see is_afar(): its own
+    /// middle) or the technique says position=absolute (the world's origin).
     glm::dmat4 lit_model{1};
     glm::dvec3 lit_origin{0};
     double lit_scale = 1;
+    bool afar = false;
     /// What a program that reads the eye is given: with position=w0 scale * (eye - the linear part of origin), which
     /// is subtracted; else the eye from lit_origin, times lit_scale.
     glm::dvec3 eye{0};
@@ -36,7 +38,9 @@ struct EyeSpace {
     double depth_at_1 = 0, depth_per_octave = 1;
 };
 
-EyeSpace eye_space(const Scene &scene, const Object &object, const Mesh &mesh, const Technique &technique = {});
+/// `guarded`: false leaves out what is_afar() asks for.
+EyeSpace eye_space(const Scene &scene, const Object &object, const Mesh &mesh, const Technique &technique = {},
+                   bool guarded = true);
 
 /// The middle of a mesh that lies far from its own origin, else 0.
 glm::dvec3 buffer_origin(const Mesh &mesh);
@@ -50,6 +54,10 @@ glm::dmat4 model_view_projection(const Scene &scene, const EyeSpace &space, doub
 constexpr double deep_range = 1e6;
 bool is_deep(const Camera &camera);
 bool is_deep(const Scene &scene, const std::vector<ObjectResources> &resources);
+
+/// Is the object so far away for its size (32 radii) that positions from the eye lose digits that its lighting needs?
+/// It is lit in positions from its own middle instead.
+bool is_afar(const Scene &scene, const Object &object, const Mesh &mesh);
 
 /// Is the object so much larger than its distance (1e4 times) that positions interpolated over it lose the digits that
 /// count near the eye? They are found from the pixel and the depth instead.

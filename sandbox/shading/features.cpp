@@ -282,8 +282,11 @@ Features derive_features(const Scene &scene, const Technique &technique, const O
     if (technique.program == Program::full) {
         f.technique.program = Program::full;
         f.technique.frequency = technique.frequency;
+        f.afar = space.afar;
     } else {
-        f.wide = f.wide && derive_needs(f).fragment.P;
+        const ProgramNeeds needs = derive_needs(f);
+        f.wide = f.wide && needs.fragment.P;
+        f.afar = space.afar && needs.vertex.P;
     }
     return f;
 }
@@ -329,7 +332,7 @@ Features without_guards(Features f) {
         light.floor = light.on_surface = light.narrow_cone = light.stable_exponent = false;
     }
     f.exponent = f.exponent == Exponent::stable ? Exponent::textbook : f.exponent;
-    f.guard_normal = f.guard_vertex_normal = f.wide = f.deep = false;
+    f.guard_normal = f.guard_vertex_normal = f.afar = f.wide = f.deep = false;
     return f;
 }
 

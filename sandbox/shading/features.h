@@ -57,12 +57,15 @@ struct Features {
     bool guard_vertex_normal = false; ///< the transform may leave nothing of a normal, or nothing float32 can square
     Exponent exponent = Exponent::zero;
     bool two_sided = false; ///< N is turned; technique.facing says where
+    bool afar = false;      ///< positions are measured from the object's middle, not from the eye
     bool wide = false;      ///< positions are found from the pixel, not interpolated
     bool deep = false;      ///< depth is stored as a logarithm
     bool object_ids = false;
     auto operator<=>(const Features &) const = default; // NOLINT(modernize-use-nullptr): version 14 errs
 
     [[nodiscard]] bool is_full() const { return technique.program == Program::full; }
+    /// Are positions measured from elsewhere than the eye?
+    [[nodiscard]] bool off_eye() const { return afar || technique.position == LightingPosition::absolute; }
     [[nodiscard]] bool has_base() const { return textured || chequered; }
     /// Is R.V raised, or N.H? A full program can do both.
     [[nodiscard]] bool mirrors_view() const { return is_full() || sandbox::mirrors_view(technique.model); }

@@ -5,7 +5,7 @@ namespace sandbox {
 PreparedObject prepare_object(const Scene &scene, const Technique &technique, const Object &object, const Mesh &mesh,
                               const DrawOptions &options) {
     PreparedObject prepared;
-    prepared.space = eye_space(scene, object, mesh, technique);
+    prepared.space = eye_space(scene, object, mesh, technique, options.guarded);
     prepared.lights = lights_on_object(scene, technique, object);
     Features &features = prepared.features;
     features = derive_features(scene, technique, object, mesh, prepared.lights, prepared.space);

@@ -315,7 +315,7 @@ void add_program(TemplateValues &values, const Features &f, const ProgramNeeds &
     const Technique &technique = f.technique;
     const bool full = f.is_full();
     const bool model_matrix = technique.normals == Normals::model_matrix;
-    const bool absolute_eye = technique.position == LightingPosition::absolute && technique.viewer == Viewer::local;
+    const bool off_eye = f.off_eye() && technique.viewer == Viewer::local;
     values.flags.insert(
         {{"full", full},
          {"flat", needs.attributes.flat},
@@ -328,8 +328,8 @@ void add_program(TemplateValues &values, const Features &f, const ProgramNeeds &
          {"reads_model", needs.vertex.P || f.normal_transform == NormalTransform::rigid || model_matrix || full},
          {"reads_normal_matrix", f.normal_transform == NormalTransform::general && !model_matrix},
          {"reads_eye",
-          technique.position == LightingPosition::w0 || (absolute_eye && needs.vertex.V) || (full && needs.vertex.P)},
-         {"fragment.reads_eye", needs.fragment.V && !needs.vectors && !f.wide && (absolute_eye || full)},
+          technique.position == LightingPosition::w0 || (off_eye && needs.vertex.V) || (full && needs.vertex.P)},
+         {"fragment.reads_eye", needs.fragment.V && !needs.vectors && !f.wide && (off_eye || full)},
          {"passes_view", needs.vectors && needs.fragment.V && (full || technique.viewer == Viewer::local)},
          {"reads_exponent", f.exponent == Exponent::textbook || f.exponent == Exponent::stable},
          {"guard_normal", f.guard_normal},
@@ -342,11 +342,11 @@ void add_program(TemplateValues &values, const Features &f, const ProgramNeeds &
                          {"H", full ? "reflection" : "H"}, // a full program interpolates the one that it needs
                          {"R", full ? "reflection" : "R"},
                          {"vertex.point", needs.attributes.centroid ? "a_centroid" : "a_position"},
-                         {"fragment.to_eye", needs.vectors  ? "v_view"
-                                             : f.wide       ? "-P"
-                                             : absolute_eye ? "eye - v_position"
-                                             : full         ? "(position_absolute ? eye : vec3(0.0)) - v_position"
-                                                            : "-v_position"},
+                         {"fragment.to_eye", needs.vectors ? "v_view"
+                                             : f.wide      ? "-P"
+                                             : off_eye     ? "eye - v_position"
+                                             : full        ? "(off_eye ? eye : vec3(0.0)) - v_position"
+                                                           : "-v_position"},
                          {"fragment.color", color_expression(f, needs)}});
     for (const Model model : all_models) {
         const std::string name = glsl_name(model);
@@ -381,6 +381,7 @@ std::string light_uniform(const Features &program, const LightKind &kind, const 
 std::vector<std::pair<std::string, bool>> choices(const Features &f) {
     std::vector<std::pair<std::string, bool>> all{{"normals_rigid", f.normal_transform == NormalTransform::rigid},
                                                   {"normals_general", f.normal_transform == NormalTransform::general},
+                                                  {"off_eye", f.off_eye()},
                                                   {"two_sided", f.two_sided},
                                                   {"textured", f.textured},
                                                   {"chequered", f.chequered},

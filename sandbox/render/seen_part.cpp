@@ -1,0 +1,139 @@
+#include "render/seen_part.h"
+
+#include "scene/space.h"
+
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+namespace sandbox {
+namespace {
+
+constexpr double narrow = 64; ///< an object's radius over the view's, from which on its mesh is cut
+constexpr double margin = 4;  ///< what is kept, over what is seen: no cut lies in the picture
+
+struct Corner {
+    glm::dvec3 position, normal;
+    glm::dvec2 uv{0};
+    glm::dvec3 seen; ///< right, up and forward from the eye
+};
+
+Corner between(const Corner &a, const Corner &b, double share) {
+    return {glm::mix(a.position, b.position, share), glm::mix(a.normal, b.normal, share), glm::mix(a.uv, b.uv, share),
+            glm::mix(a.seen, b.seen, share)};
+}
+
+using Polygon = std::vector<Corner>;
+
+/// The part of a convex polygon where dot(plane, seen) >= 0.
+Polygon cut(const Polygon &polygon, const glm::dvec3 &plane) {
+    Polygon kept;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Corner &here = polygon[i];
+        const Corner &next = polygon[(i + 1) % polygon.size()];
+        const double a = glm::dot(plane, here.seen);
+        const double b = glm::dot(plane, next.seen);
+        if (a >= 0) {
+            kept.push_back(here);
+        }
+        if ((a >= 0) != (b >= 0)) {
+            kept.push_back(between(here, next, a / (a - b)));
+        }
+    }
+    return kept;
+}
+
+struct NarrowView {
+    glm::dmat3 axes; ///< from world axes to right, up, forward
+    glm::dvec3 eye;
+    double half_width, half_height; ///< at a distance of 1
+
+    [[nodiscard]] std::array<glm::dvec3, 4> planes() const {
+        return {{{1, 0, margin * half_width},
+                 {-1, 0, margin * half_width},
+                 {0, 1, margin * half_height},
+                 {0, -1, margin * half_height}}};
+    }
+};
+
+NarrowView view_of(const Camera &camera, double aspect) {
+    const CameraAxes axes = camera_axes(camera);
+    const double half_height = std::tan(glm::radians(camera.fov_y_degrees) / 2);
+    return {glm::transpose(glm::dmat3(axes.right, axes.up, axes.forward)), camera.position, half_height * aspect,
+            half_height};
+}
+
+/// Does the view see so little of the object, and does what is interpolated over it stay the same if it is cut?
+bool should_cut(const NarrowView &view, const Object &object, const Mesh &mesh) {
+    const glm::dmat3 linear = linear_part(object.transform);
+    const glm::dvec3 half = 0.5 * (mesh.bounds.high - mesh.bounds.low);
+    const double radius = glm::length(half * glm::abs(object.transform.scale));
+    const glm::dvec3 middle = linear * (0.5 * (mesh.bounds.low + mesh.bounds.high)) + object.transform.translate;
+    const double farthest = glm::length(middle - view.eye) + radius;
+    // A checker is laid over the whole mesh. An uneven scale gives the vertices' normals unlike weights.
+    return radius > narrow * farthest * std::hypot(view.half_width, view.half_height) && !object.material.checker &&
+           scales_evenly(linear);
+}
+
+Mesh seen_part(const NarrowView &view, const Object &object, const Mesh &mesh) {
+    const glm::dmat3 linear = linear_part(object.transform);
+    const glm::dvec3 offset = object.transform.translate - view.eye;
+    const auto corner = [&](std::size_t i) {
+        return Corner{mesh.positions[i], mesh.normals[i], mesh.uvs.empty() ? glm::dvec2(0) : mesh.uvs[i],
+                      view.axes * (linear * mesh.positions[i] + offset)};
+    };
+    // Elsewhere the vertex stage makes normals unit, which a normal between two vertices is not.
+    const bool any_normals = glm::abs(object.transform.scale) == glm::dvec3(1) || linear == glm::dmat3(linear[0][0]);
+    Mesh part;
+    for (const glm::uvec3 &triangle : mesh.triangles) {
+        Polygon polygon{corner(triangle.x), corner(triangle.y), corner(triangle.z)};
+        const bool one_normal = polygon[0].normal == polygon[1].normal && polygon[1].normal == polygon[2].normal;
+        for (const glm::dvec3 &plane : view.planes()) {
+            const Polygon left = cut(polygon, plane);
+            polygon = any_normals || one_normal || left.empty() ? left : polygon;
+        }
+        const auto first = static_cast<unsigned>(part.positions.size());
+        for (const Corner &kept : polygon) {
+            part.positions.push_back(kept.position);
+            part.normals.push_back(kept.normal);
+            if (!mesh.uvs.empty()) {
+                part.uvs.push_back(kept.uv);
+            }
+        }
+        for (unsigned i = 2; i < polygon.size(); ++i) {
+            part.triangles.emplace_back(first, first + i - 1, first + i);
+        }
+    }
+    return part;
+}
+
+} // namespace
+
+std::vector<ObjectResources> seen_parts(const Scene &scene, const Technique &technique,
+                                        std::vector<ObjectResources> resources, double aspect) {
+    const bool only_unit_normals =
+        technique.frequency == Frequency::per_pixel && technique.position == LightingPosition::world &&
+        technique.attenuation == AttenuationAt::exact && technique.renormalize == Renormalize::on &&
+        technique.normals != Normals::unnormalized;
+    const NarrowView view = view_of(scene.camera, aspect);
+    for (std::size_t i = 0; only_unit_normals && i < resources.size(); ++i) {
+        const Mesh &mesh = *resources[i].mesh;
+        const Object &object = scene.objects[i];
+        if (!should_cut(view, object, mesh)) {
+            continue;
+        }
+        Mesh part = seen_part(view, object, mesh);
+        if (part.triangles.empty()) {
+            continue;
+        }
+        summarise(part);
+        part.closed = back_faces_hidden(scene.camera, aspect, object.transform, mesh);
+        part.opposing_normals = mesh.opposing_normals;
+        resources[i].mesh = std::make_shared<const Mesh>(std::move(part));
+    }
+    return resources;
+}
+
+} // namespace sandbox
