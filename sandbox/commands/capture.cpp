@@ -127,6 +127,11 @@ int run_capture(const CaptureFlags &flags, const CommonOptions &common) {
     const DrawView textbook = [&](const Scene &s, const Technique &t, Size size) {
         return textbook_picture(s, session.renderer().resources().load(s), t, size).color;
     };
+    if (options.layout == Layout::single || options.textbook_left) {
+        note_no_effect(scene, options.textbook_left ? options.right : options.left);
+    } else {
+        note_no_effect(scene, options.left, options.right, session.renderer().resources().load(scene));
+    }
     ProgressBar bar("capture " + flags.out.filename().string());
     for (int i = 0; i < frames; ++i) {
         scene.camera = orbit_camera(camera, orbit_degrees(flags.orbit.value_or(0), i, frames));

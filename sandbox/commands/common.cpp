@@ -5,6 +5,7 @@
 #include "image/image_file.h"
 #include "scene/scene_file.h"
 #include "scene/scene_setting.h"
+#include "shading/prepared_object.h"
 
 #include <algorithm>
 #include <cctype>
@@ -121,6 +122,23 @@ void note(std::string_view text) {
         text.remove_suffix(1);
     }
     fmt::print(stderr, "shading-sandbox: {}\n", text);
+}
+
+void note_no_effect(const Scene &scene, const Technique &technique) {
+    for (const TechniqueKey &key : settings_without_effect(scene, technique)) {
+        note(fmt::format("{}={} has no effect on this scene", key.name, key.value(technique).name));
+    }
+}
+
+void note_no_effect(const Scene &scene, const Technique &left, const Technique &right,
+                    const std::vector<ObjectResources> &resources) {
+    note_no_effect(scene, left);
+    if (right != left) {
+        note_no_effect(scene, right);
+    }
+    if (same_picture(scene, left, right, resources)) {
+        note(fmt::format("{} and {} draw the same picture of this scene", to_string(left), to_string(right)));
+    }
 }
 
 } // namespace sandbox

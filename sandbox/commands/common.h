@@ -4,6 +4,7 @@
 #include "image/error.h"
 #include "image/image.h"
 #include "scene/assets.h"
+#include "scene/resources.h"
 #include "scene/scene.h"
 
 #include <filesystem>
@@ -59,6 +60,11 @@ void make_folder(const std::filesystem::path &out);
 void print(std::string_view text);
 /// Writes a line to standard error: "shading-sandbox: text".
 void note(std::string_view text);
+/// Notes each setting that changes no pixel of the scene.
+void note_no_effect(const Scene &scene, const Technique &technique);
+/// ... of both techniques, and whether they draw the same picture.
+void note_no_effect(const Scene &scene, const Technique &left, const Technique &right,
+                    const std::vector<ObjectResources> &resources);
 
 constexpr Size default_picture_size{1280, 720};
 constexpr std::string_view default_size = "1280x720";

@@ -3,6 +3,7 @@
 #include "commands/progress_bar.h"
 #include "commands/session.h"
 #include "measure/metrics/metrics.h"
+#include "shading/prepared_object.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -55,6 +56,8 @@ Technique reference_technique(Technique left, std::string_view text) {
 struct Comparison {
     Metrics metrics;
     double worst_pixel_rounding = 0; ///< PixelProbe::window_rounding there; 0 between two drawn pictures
+
+    [[nodiscard]] bool nothing_compared() const { return metrics.compared_pixels == 0; }
 };
 
 Comparison compare_to_reference(const Frame &left, const Scene &scene, const Technique &technique, Size size,
@@ -80,16 +83,40 @@ nlohmann::ordered_json figures(const Comparison &comparison, Size size) {
     for_each_metric(comparison.metrics, [&](const auto &metric, const auto &measured) {
         json[metric.name] = quantity_json<nlohmann::ordered_json>(metric, measured);
     });
-    json["worst_pixel"] = {worst % width, worst / width};
-    json["worst_pixel_rounding"] = comparison.worst_pixel_rounding;
+    const bool somewhere = !comparison.nothing_compared() || comparison.metrics.nonfinite_pixels > 0;
+    json["worst_pixel"] = somewhere ? nlohmann::ordered_json{worst % width, worst / width} : nlohmann::ordered_json();
+    json["worst_pixel_rounding"] = somewhere ? comparison.worst_pixel_rounding : unmeasured;
+    const std::string why = why_untrusted(comparison.metrics);
+    json["reason"] = why.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(why);
     return json;
 }
 
+/// The settings that are on, at the left or the right, and change no pixel of the scene on any side where they are.
+nlohmann::ordered_json no_effect(const Scene &scene, const Technique &left, const Technique &right) {
+    nlohmann::ordered_json keys = nlohmann::ordered_json::array();
+    for (const TechniqueKey &key : technique_settings) {
+        bool on = false;
+        bool matters = false;
+        for (const Technique &side : {left, right}) {
+            const int value = key.get(side);
+            on = on || value != 0;
+            matters = matters || (value != 0 && can_matter(key, value, scene, side));
+        }
+        if (on && !matters) {
+            keys.push_back(key.name);
+        }
+    }
+    return keys;
+}
+
 std::string human_table(const nlohmann::ordered_json &figures) {
+    const auto number = [](double value) {
+        return std::isnan(value) ? "none" : std::isinf(value) ? "infinite" : fmt::format("{:g}", value);
+    };
     std::string table;
     for (const auto &[key, value] : figures.items()) {
-        const std::string text = value.is_number_float() ? fmt::format("{:g}", value.get<double>())
-                                 : value.is_null()       ? "infinite"
+        const std::string text = value.is_number_float() ? number(value.get<double>())
+                                 : value.is_null()       ? (key == "psnr" ? "infinite" : "none")
                                  : value.is_string()     ? value.get<std::string>()
                                                          : value.dump();
         table += fmt::format("{:<22}{}\n", key, text);
@@ -106,12 +133,8 @@ std::string metric_lines() {
     return lines;
 }
 
-/// Checks --max-abs. A comparison of no pixels fails: it proves nothing.
+/// Checks --max-abs.
 bool within(const Metrics &metrics, double bound) {
-    if (metrics.compared_pixels == 0) {
-        note("--max-abs: no pixel could be compared");
-        return false;
-    }
     if (!(metrics.norms.max_abs <= bound)) {
         note(fmt::format("max_abs {:g} is above {:g}", metrics.norms.max_abs, bound));
         return false;
@@ -135,13 +158,25 @@ int run_compare(const CompareFlags &flags, const CommonOptions &common) {
         to_reference ? compare_to_reference(drawn, scene, right, flags.size, session.renderer().resources())
                      : Comparison{compare(drawn, session.renderer().render(scene, right, flags.size, true))};
     nlohmann::ordered_json all = figures(comparison, flags.size);
+    all["no_effect"] = no_effect(scene, flags.left, right);
+    const auto resources = session.renderer().resources().load(scene);
+    all["same_picture"] = !to_reference && same_picture(scene, flags.left, right, resources);
+    if (to_reference) {
+        note_no_effect(scene, flags.left);
+    } else {
+        note_no_effect(scene, flags.left, right, resources);
+    }
     all["scene"] = flags.scene;
     all["left"] = to_string(flags.left);
     all["right"] = (to_reference ? "reference of " : "") + to_string(right);
     all["size"] = fmt::format("{}x{}", flags.size.width, flags.size.height);
     all["renderer"] = session.context().renderer();
     print(flags.json ? all.dump(2) + "\n" : human_table(all));
-    return flags.max_abs && !within(comparison.metrics, *flags.max_abs) ? 1 : 0;
+    if (const std::string why = why_untrusted(comparison.metrics); !why.empty()) {
+        note((comparison.nothing_compared() ? "nothing is compared: " : "the figures say little: ") + why);
+    }
+    const bool proves = !comparison.nothing_compared(); // a comparison of no pixels proves nothing
+    return proves && (!flags.max_abs || within(comparison.metrics, *flags.max_abs)) ? 0 : 1;
 }
 
 } // namespace
@@ -156,17 +191,22 @@ void add_compare(CLI::App &app, CommonOptions &common, Run &run) {
         ->required();
     add_parsed(command, "--size", "WxH", flags->size, parse_size, "Size of both pictures [1280x720]");
     add_view_name(command, flags->view);
-    command.add_flag("--json", flags->json, "Print JSON; infinite figures are null");
+    command.add_flag("--json", flags->json, "Print JSON; infinite figures and those over no pixels are null");
     add_value(command, "--max-abs", "X", flags->max_abs, "Exit 1 if max_abs is above this");
     command.footer(
         "reference: the model of the left technique, per-pixel, every fault off, in double precision; keys of a\n"
         "technique, frequency and model change that. Errors use the pixels where both pictures show the\n"
-        "same object, except those at an edge between triangles or at a jump of the equation in the\n"
-        "reference. If a pixel is not finite, all errors are infinite. Figures, with their units:\n" +
+        "same object, except those at an edge between triangles, at a jump of the equation in the\n"
+        "reference, or where float32 rounding alone decides; each of those counts under the first of these\n"
+        "causes. If a pixel is not finite, all errors are infinite. If no pixel is compared, there are no\n"
+        "errors, and the exit code is 1. Figures, with their units:\n" +
         metric_lines() +
         "  worst_pixel           where max_abs is, or the first pixel that is not finite (x, y)\n"
         "  worst_pixel_rounding  how far the reference's colour moves there when float32 rounds the\n"
-        "                        corners of the triangle: no float32 renderer can promise less");
+        "                        corners of the triangle: no float32 renderer can promise less\n"
+        "  reason                why the errors say little, or are none: less than half is compared\n"
+        "  no_effect             keys that are on and cannot change a pixel of this scene\n"
+        "  same_picture          both techniques draw the scene with the same programs and numbers");
     run_when_chosen(command, common, run, flags, run_compare);
 }
 

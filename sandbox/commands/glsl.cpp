@@ -58,6 +58,7 @@ int run_glsl(const GlslFlags &flags, const CommonOptions &common) {
     require_drawable(objects[chosen].features, scene.objects[chosen]);
     const ProgramSource program = assemble(objects[chosen].program, ShaderParts(shader_assets(common)));
     note_other_programs(scene, objects, chosen);
+    note_no_effect(scene, flags.technique);
     if (flags.stage.empty()) {
         print(fmt::format("// ---- vertex stage ----\n{}\n// ---- fragment stage ----\n{}", program.vertex.text,
                           program.fragment.text));

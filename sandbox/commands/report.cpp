@@ -8,10 +8,12 @@
 #include "measure/report/report.h"
 #include "measure/report/report_html.h"
 #include "measure/report/report_json.h"
+#include "measure/work_precision/findings.h"
 #include "render/frame_clock.h"
 
 #include <atomic>
 #include <csignal>
+#include <fmt/format.h>
 #include <optional>
 
 namespace sandbox {
@@ -60,6 +62,13 @@ ReportRun measure(const ReportFlags &flags, const CommonOptions &common, const P
         return !stopped;
     });
     handle_interrupts();
+    for (const OmittedRow &row : run.measured.omitted) {
+        note(fmt::format("{} has no row: on this scene it is {}", row.technique, row.reason));
+    }
+    if (const std::size_t marked = marked_rows(run.measured); marked > 0) {
+        note(fmt::format("{} of {} rows are marked: less than half of what they show is compared", marked,
+                         run.measured.rows.size()));
+    }
     if (run.measured.finished) {
         run.pictures = report_pictures(run.measured, draw);
     }

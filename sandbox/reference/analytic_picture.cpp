@@ -82,11 +82,19 @@ class ShapeSampler : public Sampler {
         return compose(object_.material, base(), reflected);
     }
 
-    [[nodiscard]] bool unstable() const {
-        const bool cells =
+    [[nodiscard]] PixelMasks masks() const {
+        const SurfacePoint here = point_at(0, 0);
+        const Doubts doubts = Sampler::doubts(Terms::all, here);
+        const bool border =
             shape_.base.has_cells() && shape_.base.cell_may_change(hit_.position, hit_at(edge_width, 0).position,
                                                                    hit_at(0, edge_width).position, glm::dvec3(0));
-        return cells || may_jump(Terms::all, point_at(0, 0));
+        if (!border) {
+            return Sampler::masks(doubts, base());
+        }
+        const auto &colors = shape_.base.checker->colors;
+        PixelMasks masks = Sampler::masks(doubts, glm::max(colors[0], colors[1]));
+        masks.jump = masks.jump || shows_base(glm::abs(colors[0] - colors[1]), reflect(Terms::all, here));
+        return masks;
     }
 
   private:
@@ -148,6 +156,7 @@ class AnalyticPicture : public Picture {
         }
         const ShapeSampler sampler(setup_, objects_[seen.object - 1], eye_, seen.hit, x + 0.5, y + 0.5);
         const SurfacePoint point = sampler.point_at(0, 0);
+        const PixelMasks masks = sampler.masks();
         return PixelProbe{.object = seen.object - 1,
                           .position = point.position + setup_.eye,
                           .normal = point.normal,
@@ -156,7 +165,8 @@ class AnalyticPicture : public Picture {
                           .lights = sampler.probe_lights(point),
                           .color = sampler.color(),
                           .edge = at_edge(seen, x + 0.5, y + 0.5),
-                          .jump = sampler.unstable()};
+                          .jump = masks.jump,
+                          .rounding = masks.rounding};
     }
 
   private:
@@ -224,7 +234,7 @@ class AnalyticPicture : public Picture {
         const ShapeSampler sampler(setup_, objects_[seen.object - 1], eye_, seen.hit, x + 0.5, y + 0.5);
         frame.color[pixel] = sampler.color();
         frame.object_ids[pixel] = seen.object;
-        frame.jump[pixel] = sampler.unstable() ? 1 : 0;
+        frame.mark(pixel, sampler.masks());
     }
 
     Size size_;

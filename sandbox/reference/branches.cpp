@@ -2,6 +2,7 @@
 
 #include "reference/raster.h"
 #include "scene/light_kind.h"
+#include "shading/object_lights.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,18 +14,23 @@ namespace sandbox::reference {
 
 namespace {
 
-constexpr double negligible = 1e-6;       ///< a smaller jump shows in no figure
+constexpr double negligible_jump = 1e-6;  ///< a smaller jump shows in no figure
+constexpr double negligible_noise = 1e-5; ///< a colour's change by rounding that is less is within every bound
 constexpr double far_from_a_branch = 0.1; ///< N.L and cosines change less over edge_width
 constexpr double steep_exponent = 0.5;    ///< f^n with a smaller n leaves 0 like a jump
+constexpr double short_normal = 0.25;     ///< float32 rounds it at least four times as coarsely as a unit normal
 
 double largest(const glm::dvec3 &v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-/// The two positions' lengths as multiples of the distance, which is computed as their difference.
+/// The two positions' lengths, which are what float32 rounds of their difference.
+double lengths_of(const Setup &setup, const LightSetup &light, const glm::dvec3 &position) {
+    return has_position(light.light) ? glm::length(position - setup.origin) + glm::length(light.position - setup.origin)
+                                     : 0;
+}
+
+/// The same as multiples of the distance.
 double spread(const Setup &setup, const LightSetup &light, const glm::dvec3 &position, double d) {
-    if (!has_position(light.light)) {
-        return 0;
-    }
-    return (glm::length(position - setup.origin) + glm::length(light.position - setup.origin)) / std::max(d, 1e-300);
+    return lengths_of(setup, light, position) / std::max(d, 1e-300);
 }
 
 } // namespace
@@ -35,21 +41,44 @@ class Branches {
     Branches(const Sampler &sampler, Terms terms, const SurfacePoint &here)
         : sampler_(sampler), setup_(sampler.setup_), object_(sampler.object_), terms_(terms), here_(here) {}
 
-    bool view_branch() {
+    Doubts doubts() {
+        view_branch();
+        for (std::size_t i = 0; i < setup_.lights.size(); ++i) {
+            light_branches(i);
+        }
+        return doubts_;
+    }
+
+  private:
+    /// What one light adds to the colour at most, terms apart.
+    struct Amounts {
+        glm::dvec3 ambient{0}, diffuse{0}, highlight{0};
+    };
+
+    void view_branch() {
         const auto n_dot_v = [](const SurfacePoint &p) { return glm::dot(p.raw_normal, p.view); };
         const bool gate = setup_.technique.gate == Gate::view_facing;
         const bool turned = object_.two_sided && setup_.technique.facing == Facing::view;
         if ((!turned && !gate) || !close(n_dot_v, 2 * rounding / here_.normal_length)) {
-            return false;
+            return;
         }
-        return turned ? turning_matters() : light_sum_matters();
+        if (turned) {
+            doubt_turning();
+        }
+        for (std::size_t i = 0; gate && adds_highlight() && i < setup_.lights.size(); ++i) {
+            const LightTerms terms = sampler_.terms_at(here_, i);
+            doubts_.jump.highlight += amounts(i, terms.vectors.a * terms.s, terms.f_power).highlight;
+        }
     }
 
-    bool light_branches(std::size_t i) {
+    void light_branches(std::size_t i) {
         const LightSetup &light = setup_.lights[i];
         const LightVectors vectors = sampler_.vectors(here_, i);
         if (direction_is_rounding(setup_, light, here_.position)) {
-            return true;
+            return doubt_direction(i, attenuation_bound(light, vectors.d));
+        }
+        if (!sampler_.keeps_normal_lengths() && here_.normal_length < short_normal) {
+            doubt_normal(i);
         }
         const double lengths = spread(setup_, light, here_.position, vectors.d);
         const double noise = rounding * (1 / here_.normal_length + lengths);
@@ -61,25 +90,15 @@ class Branches {
             return glm::dot(-sampler_.vectors(p, i).l, light.travel) - light.cos_outer;
         };
         const bool hard = light.cone && !(light.light.inner_cutoff_degrees < light.light.cutoff_degrees);
-        if (hard && close(beyond_cone, noise) && amounts(i).cone > negligible) {
-            return true;
-        }
+        const bool at_cone = hard && close(beyond_cone, noise);
         const bool gated = adds_highlight() && setup_.technique.gate == Gate::light_facing;
-        const bool where_lit = terms_ != Terms::highlight && setup_.technique.ambient == AmbientWhere::where_lit;
-        if ((gated || where_lit) && close(n_dot_l, dot_noise)) {
-            const Amounts amount = amounts(i);
-            if ((gated && amount.highlight > negligible) || (where_lit && amount.ambient > negligible)) {
-                return true;
-            }
+        const bool where_lit = adds_body() && setup_.technique.ambient == AmbientWhere::where_lit;
+        const bool at_gate = (gated || where_lit) && close(n_dot_l, dot_noise);
+        if (at_cone || at_gate) {
+            doubt_light(i, at_cone, at_gate && gated, at_gate && where_lit);
         }
-        return steep_highlight(i, noise);
+        doubt_steep_highlight(i, noise);
     }
-
-  private:
-    /// How much a branch would change the colour, at most.
-    struct Amounts {
-        double cone = 0, highlight = 0, ambient = 0;
-    };
 
     template <class Quantity> bool close(const Quantity &quantity, double noise) {
         const double q = quantity(here_);
@@ -93,69 +112,101 @@ class Branches {
         return std::abs(q) < std::abs(quantity(*right_) - q) + std::abs(quantity(*below_) - q) + noise;
     }
 
-    Amounts amounts(std::size_t i) const {
-        const LightTerms terms = sampler_.terms_at(here_, i);
+    /// `reach`: attenuation and cone; the highlight's factor is `f_power`, the diffuse one 1.
+    Amounts amounts(std::size_t i, double reach, double f_power) const {
         const Light &light = setup_.lights[i].light;
-        const double reach = terms.vectors.a * terms.s_uncut;
-        const glm::dvec3 ambient =
-            object_.material.ambient * light.color * (light.ambient * (light.attenuate_ambient ? reach : 1));
-        const glm::dvec3 diffuse =
-            object_.material.diffuse * light.color * (light.diffuse * std::max(terms.n_dot_l, 0.0) * reach);
-        const glm::dvec3 highlight = object_.material.specular * light.color * (light.specular * terms.f_power * reach);
+        const Material &material = object_.material;
+        const double ambient = light.ambient * (light.attenuate_ambient ? reach : 1);
         Amounts amount;
-        amount.highlight = largest(highlight);
-        amount.ambient = largest(ambient);
-        amount.cone =
-            (terms_ == Terms::highlight ? 0 : largest(diffuse) + (light.attenuate_ambient ? amount.ambient : 0)) +
-            (terms_ == Terms::body ? 0 : amount.highlight);
+        if (adds_body()) {
+            amount.ambient = material.ambient * light.color * ambient;
+            amount.diffuse = material.diffuse * light.color * (light.diffuse * reach);
+        }
+        if (adds_highlight()) {
+            amount.highlight = material.specular * light.color * (light.specular * f_power * reach);
+        }
         return amount;
     }
 
+    /// What passes the cone or the gate and what does not is in doubt: it jumps by all that the light adds there.
+    void doubt_light(std::size_t i, bool at_cone, bool at_gate, bool where_lit) {
+        const LightTerms terms = sampler_.terms_at(here_, i);
+        const Light &light = setup_.lights[i].light;
+        const Amounts amount = amounts(i, terms.vectors.a * (at_cone ? terms.s_uncut : terms.s), terms.f_power);
+        if (at_cone) {
+            doubts_.jump.body += amount.diffuse * std::max(terms.n_dot_l, 0.0);
+            doubts_.jump.body += light.attenuate_ambient ? amount.ambient : glm::dvec3(0);
+        }
+        if (at_gate || (at_cone && terms.gate)) {
+            doubts_.jump.highlight += amount.highlight;
+        }
+        doubts_.jump.body += where_lit ? amount.ambient : glm::dvec3(0);
+    }
+
     /// For small n, f^n rises so steeply at f = 0 that a rounding of f is a jump of the highlight.
-    bool steep_highlight(std::size_t i, double noise) {
+    void doubt_steep_highlight(std::size_t i, double noise) {
         const double n = raised_exponent(setup_, object_.material.shininess);
         if (!adds_highlight() || n == 0 || n > steep_exponent) {
-            return false;
+            return;
         }
         const auto f = [&](const SurfacePoint &p) {
             const auto [a, b] = highlight_vectors(setup_.technique.model, sampler_.vectors(p, i), p.normal, p.view);
             return glm::dot(a, b);
         };
-        if (!close(f, noise)) {
-            return false;
+        if (close(f, noise)) {
+            const LightTerms terms = sampler_.terms_at(here_, i);
+            doubts_.jump.highlight += amounts(i, terms.gate ? terms.vectors.a * terms.s : 0, 1).highlight;
         }
-        const LightTerms terms = sampler_.terms_at(here_, i);
-        const Light &light = setup_.lights[i].light;
-        return terms.gate &&
-               largest(object_.material.specular * light.color) * light.specular * terms.vectors.a * terms.s >
-                   negligible;
     }
 
-    bool turning_matters() const {
+    void doubt_turning() {
         SurfacePoint turned = here_;
         turned.normal = -here_.normal;
         const Reflected before = sampler_.reflect(terms_, here_);
         const Reflected after = sampler_.reflect(terms_, turned);
-        return largest(before.body - after.body) + largest(before.highlight - after.highlight) > negligible;
+        doubts_.jump.body += glm::abs(before.body - after.body);
+        doubts_.jump.highlight += glm::abs(before.highlight - after.highlight);
     }
 
-    bool light_sum_matters() const {
-        for (std::size_t i = 0; adds_highlight() && i < setup_.lights.size(); ++i) {
-            if (amounts(i).highlight > negligible) {
-                return true;
-            }
-        }
-        return false;
+    /// The largest attenuation that a distance within rounding of `d` gives.
+    double attenuation_bound(const LightSetup &light, double d) const {
+        const double nearest = std::max(d - rounding * lengths_of(setup_, light, here_.position), 0.0);
+        return has_position(light.light) ? attenuation(light.light.attenuation, nearest) : 1;
     }
 
-    bool adds_highlight() const { return terms_ != Terms::body && reflection(setup_.technique.model).specular; }
+    /// L may point anywhere: all that depends on it may have any value.
+    void doubt_direction(std::size_t i, double reach) {
+        const LightSetup &light = setup_.lights[i];
+        const Amounts amount = amounts(i, reach, 1);
+        const bool ambient = setup_.technique.ambient == AmbientWhere::where_lit ||
+                             (light.light.attenuate_ambient && fades(light.light));
+        doubts_.rounding.body += amount.diffuse + (ambient ? amount.ambient : glm::dvec3(0));
+        doubts_.rounding.highlight += amount.highlight;
+    }
+
+    /// Where the corners' normals nearly cancel, float32 turns what is left by this much.
+    void doubt_normal(std::size_t i) {
+        const LightTerms terms = sampler_.terms_at(here_, i);
+        const double turn = 2 * rounding / here_.normal_length;
+        const double steepest = std::sqrt(std::max(raised_exponent(setup_, object_.material.shininess), 1.0)) * 2;
+        const Amounts amount = amounts(i, terms.vectors.a * terms.s, 1);
+        doubts_.rounding.body += amount.diffuse * std::min(turn, 1.0);
+        doubts_.rounding.highlight += amount.highlight * std::min(steepest * turn, 1.0);
+    }
+
+    [[nodiscard]] bool adds_body() const { return terms_ != Terms::highlight; }
+    [[nodiscard]] bool adds_highlight() const {
+        return terms_ != Terms::body && reflection(setup_.technique.model).specular;
+    }
 
     const Sampler &sampler_;
     const Setup &setup_;
     const Object &object_;
     Terms terms_;
     const SurfacePoint &here_;
+    Doubts doubts_;
     std::optional<SurfacePoint> right_, below_;
+    friend class Sampler;
 };
 
 bool direction_is_rounding(const Setup &setup, const LightSetup &light, const glm::dvec3 &position) {
@@ -210,13 +261,38 @@ std::vector<LightProbe> Sampler::probe_lights(const SurfacePoint &point) const {
     return lights;
 }
 
-bool Sampler::may_jump(Terms terms, const SurfacePoint &here) const {
+Doubts Sampler::doubts(Terms terms, const SurfacePoint &here) const { return Branches(*this, terms, here).doubts(); }
+
+Reflected Sampler::doubt_of_direction(Terms terms, const SurfacePoint &here, std::size_t light) const {
     Branches branches(*this, terms, here);
-    bool jumps = branches.view_branch();
-    for (std::size_t i = 0; !jumps && i < setup_.lights.size(); ++i) {
-        jumps = branches.light_branches(i);
+    branches.doubt_direction(light, vectors(here, light).a);
+    return branches.doubts_.rounding;
+}
+
+Doubts &operator+=(Doubts &sum, const Doubts &more) {
+    for (const auto part : {&Doubts::jump, &Doubts::rounding}) {
+        (sum.*part).body += (more.*part).body;
+        (sum.*part).highlight += (more.*part).highlight;
     }
-    return jumps;
+    return sum;
+}
+
+Doubts operator*(double weight, const Doubts &doubts) {
+    return {{weight * doubts.jump.body, weight * doubts.jump.highlight},
+            {weight * doubts.rounding.body, weight * doubts.rounding.highlight}};
+}
+
+PixelMasks Sampler::masks(const Doubts &doubts, const glm::dvec3 &base) const {
+    const auto change = [&](const Reflected &part) {
+        return largest(compose(object_.material, base, part) - object_.material.emission);
+    };
+    return {change(doubts.jump) > negligible_jump, change(doubts.rounding) > negligible_noise};
+}
+
+bool Sampler::shows_base(const glm::dvec3 &difference, const Reflected &reflected) const {
+    return largest(difference * (reflected.body +
+                                 (object_.material.texture_modulates_specular ? reflected.highlight : glm::dvec3(0)))) >
+           negligible_jump;
 }
 
 } // namespace sandbox::reference

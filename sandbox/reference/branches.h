@@ -30,6 +30,22 @@ struct LightProbe {
     LightTerms terms;
 };
 
+/// By how much the colour at a point may differ for reasons that are nobody's error, at most.
+struct Doubts {
+    /// The equation takes another branch (a gate, a hard cone, N turned to the viewer) within edge_width, or where the
+    /// quantity that decides is zero to within its float32 `rounding` and that of the positions it is a difference of.
+    Reflected jump;
+    /// float32 keeps too little of a direction: of that to a light, or of a normal that nearly cancels.
+    Reflected rounding;
+};
+Doubts &operator+=(Doubts &sum, const Doubts &more);
+Doubts operator*(double weight, const Doubts &doubts);
+
+/// Why a pixel is left out of error figures.
+struct PixelMasks {
+    bool jump = false, rounding = false;
+};
+
 /// An object's surface around one point. Keeps references to the setup and the object.
 class Sampler {
   public:
@@ -43,16 +59,20 @@ class Sampler {
     /// The sum over all lights at one of those points.
     [[nodiscard]] Reflected reflect(Terms terms, const SurfacePoint &point) const;
     [[nodiscard]] std::vector<LightProbe> probe_lights(const SurfacePoint &point) const;
-    /// Could the colour at `here` jump? Yes if a branch that matters (by more than 1e-6 of linear colour) is taken
-    /// where the quantity that it tests is zero to within its own change over edge_width of a pixel plus its float32
-    /// `rounding`, and that of the positions it is a difference of (as shares of the distance).
-    [[nodiscard]] bool may_jump(Terms terms, const SurfacePoint &here) const;
+    [[nodiscard]] Doubts doubts(Terms terms, const SurfacePoint &here) const;
+    /// Which doubts show where the surface's own colour is `base`: a jump by more than 1e-6 of linear colour, a
+    /// rounding by more than 1e-5.
+    [[nodiscard]] PixelMasks masks(const Doubts &doubts, const glm::dvec3 &base) const;
+    /// Does a difference of the surface's own colour show in this light?
+    [[nodiscard]] bool shows_base(const glm::dvec3 &difference, const Reflected &reflected) const;
 
   protected:
     [[nodiscard]] bool keeps_normal_lengths() const { return setup_.technique.normals == Normals::unnormalized; }
     /// The point at `position` (as lit, from the eye) with the unit normal before it is turned.
     [[nodiscard]] SurfacePoint surface_point(const glm::dvec3 &position, const glm::dvec3 &normal, Side side) const;
     [[nodiscard]] LightTerms terms_at(const SurfacePoint &point, std::size_t light) const;
+    /// What is in doubt at `here` if the direction to the light may be any.
+    [[nodiscard]] Reflected doubt_of_direction(Terms terms, const SurfacePoint &here, std::size_t light) const;
 
     const Setup &setup_;
     const Object &object_;

@@ -13,6 +13,9 @@ namespace sandbox::reference {
 
 namespace {
 
+/// A corner's vector is made unit again with the others': it may turn the sum by this many times its weight.
+constexpr double corner_weight = 10;
+
 /// a + v (b - a) + w (c - a): a value that all corners share comes out exactly.
 template <class T> T blend(const glm::dvec3 &weights, const T &a, const T &b, const T &c) {
     return a + weights.y * (b - a) + weights.z * (c - a);
@@ -144,7 +147,7 @@ SurfacePoint Fragment::evaluated_point() const {
     return flat ? centroid(setup_, mesh_, triangle_, side_).point_at(0, 0) : here_;
 }
 
-bool Fragment::checker_unstable() const {
+bool Fragment::at_cell_border() const {
     if (!mesh_.base.has_cells()) {
         return false;
     }
@@ -160,45 +163,56 @@ bool Fragment::checker_unstable() const {
                                       rounding * farthest);
 }
 
-/// Where the corners' normals nearly cancel, float32 rounds the rest at least four times as coarsely as a normal.
-bool Fragment::normal_unstable() const {
-    const bool interpolated = setup_.technique.frequency != Frequency::flat &&
-                              setup_.technique.frequency != Frequency::per_vertex &&
-                              setup_.technique.renormalize == Renormalize::on && !keeps_normal_lengths();
-    return interpolated && here_.normal_length < 0.25;
-}
-
 /// Interpolated vectors are only as reliable as the corners'.
-bool Fragment::corner_light_unstable() const {
-    const auto unstable = [&](const LightSetup &light) {
-        return std::ranges::any_of(std::array{0, 1, 2}, [&](int i) {
-            return direction_is_rounding(setup_, light, mesh_.positions[triangle_[i]]);
-        });
-    };
-    return setup_.technique.frequency == Frequency::interpolated_vectors &&
-           std::ranges::any_of(setup_.lights, unstable);
+Doubts Fragment::corner_doubts() const {
+    Doubts doubts;
+    for (std::size_t i = 0; i < setup_.lights.size(); ++i) {
+        for (int k = 0; k < 3; ++k) {
+            if (here_.weights[k] > 0 &&
+                direction_is_rounding(setup_, setup_.lights[i], mesh_.positions[triangle_[k]])) {
+                const Reflected doubt = doubt_of_direction(Terms::all, here_, i);
+                doubts += std::min(here_.weights[k] * corner_weight, 1.0) * Doubts{{}, doubt};
+            }
+        }
+    }
+    return doubts;
 }
 
-bool Fragment::unstable() const {
-    if (checker_unstable() || normal_unstable() || corner_light_unstable()) {
-        return true;
-    }
-    const auto jumps = [&](Terms terms) { return may_jump(terms, here_); };
-    const auto corner_unstable = [&] {
-        return (lit_.unstable[triangle_.x] | lit_.unstable[triangle_.y] | lit_.unstable[triangle_.z]) != 0;
+Doubts Fragment::doubts() const {
+    const auto interpolated = [&] {
+        Doubts sum;
+        for (int k = 0; k < 3; ++k) {
+            sum += std::max(here_.weights[k], 0.0) * lit_.doubts[triangle_[k]];
+        }
+        return sum;
     };
     switch (setup_.technique.frequency) {
     case Frequency::flat:
-        return lit_.unstable[triangle_index_] != 0;
+        return lit_.doubts[triangle_index_];
     case Frequency::per_vertex:
-        return corner_unstable();
-    case Frequency::hybrid:
-        return corner_unstable() || jumps(Terms::highlight);
+        return interpolated();
+    case Frequency::hybrid: {
+        Doubts sum = interpolated();
+        return sum += Sampler::doubts(Terms::highlight, here_);
+    }
+    case Frequency::interpolated_vectors: {
+        Doubts sum = corner_doubts();
+        return sum += Sampler::doubts(Terms::all, here_);
+    }
     case Frequency::per_pixel:
-    case Frequency::interpolated_vectors:
         break;
     }
-    return jumps(Terms::all);
+    return Sampler::doubts(Terms::all, here_);
+}
+
+PixelMasks Fragment::masks() const {
+    if (!at_cell_border()) {
+        return Sampler::masks(doubts(), base());
+    }
+    const auto &colors = mesh_.base.checker->colors;
+    PixelMasks masks = Sampler::masks(doubts(), glm::max(colors[0], colors[1]));
+    masks.jump = masks.jump || shows_base(glm::abs(colors[0] - colors[1]), reflected());
+    return masks;
 }
 
 bool Fragment::at_edge() const { return near_edge(on_screen_, x_, y_); }

@@ -17,8 +17,8 @@ class Fragment : public Sampler {
     [[nodiscard]] glm::dvec3 color() const;
     /// The texture's or checker's colour here.
     [[nodiscard]] glm::dvec3 base() const;
-    /// Could rounding alone give another colour (see may_jump)?
-    [[nodiscard]] bool unstable() const;
+    /// Could the colour differ for reasons that are nobody's error?
+    [[nodiscard]] PixelMasks masks() const;
     /// Does the centre lie within edge_width of an edge of its triangle?
     [[nodiscard]] bool at_edge() const;
     /// Where the equation is evaluated for this pixel: here, or at the triangle's centroid under flat.
@@ -28,9 +28,9 @@ class Fragment : public Sampler {
     [[nodiscard]] glm::dvec3 weights(double dx, double dy) const;
     [[nodiscard]] SurfacePoint corner(int i) const;
     [[nodiscard]] Reflected reflected() const;
-    [[nodiscard]] bool checker_unstable() const;
-    [[nodiscard]] bool normal_unstable() const;
-    [[nodiscard]] bool corner_light_unstable() const;
+    [[nodiscard]] bool at_cell_border() const;
+    [[nodiscard]] Doubts corner_doubts() const;
+    [[nodiscard]] Doubts doubts() const;
     [[nodiscard]] glm::dvec3 object_position(const glm::dvec3 &weights) const;
     [[nodiscard]] LightVectors interpolated_vectors(const SurfacePoint &point, std::size_t light) const;
 

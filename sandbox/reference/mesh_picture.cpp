@@ -1,6 +1,7 @@
 #include "reference/mesh_picture.h"
 
 #include "reference/fragment.h"
+#include "shading/eye_space.h"
 
 #include <algorithm>
 #include <glm/common.hpp>
@@ -14,7 +15,8 @@ class MeshPicture : public Picture {
     MeshPicture(const Scene &scene, const std::vector<ObjectResources> &resources, const Technique &technique,
                 Size size)
         : size_(size), meshes_(prepare_meshes(scene, resources, technique, size)),
-          rasteriser_(meshes_.raster, size, scene.camera.near_plane, scene.camera.far_plane) {}
+          rasteriser_(meshes_.raster, size, scene.camera.near_plane, scene.camera.far_plane,
+                      is_deep(scene, resources)) {}
 
     [[nodiscard]] std::size_t bands() const override { return rasteriser_.bands(); }
 
@@ -40,6 +42,7 @@ class MeshPicture : public Picture {
         }
         const Fragment fragment(meshes_, hit, x + 0.5, y + 0.5);
         const SurfacePoint point = fragment.evaluated_point();
+        const PixelMasks masks = fragment.masks();
         return PixelProbe{.object = hit.object - 1,
                           .triangle = hit.triangle,
                           .position = point.position + meshes_.setup.eye,
@@ -49,7 +52,8 @@ class MeshPicture : public Picture {
                           .lights = fragment.probe_lights(point),
                           .color = fragment.color(),
                           .edge = on_edge(hit, fragment),
-                          .jump = fragment.unstable(),
+                          .jump = masks.jump,
+                          .rounding = masks.rounding,
                           .window_rounding = window_rounding(hit, x, y, fragment.color())};
     }
 
@@ -77,7 +81,7 @@ class MeshPicture : public Picture {
         frame.color[pixel] = fragment.color();
         frame.object_ids[pixel] = hit.object;
         frame.edge[pixel] = on_edge(hit, fragment) ? 1 : 0;
-        frame.jump[pixel] = fragment.unstable() ? 1 : 0;
+        frame.mark(pixel, fragment.masks());
     }
 
     Size size_;

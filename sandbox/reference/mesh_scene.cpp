@@ -43,12 +43,12 @@ RasterObject to_pixels(const MeshObject &object, const Camera &camera, Size size
 template <class PointAt> void light(MeshObject &object, Terms terms, std::size_t count, const PointAt &point_at) {
     const auto light_side = [&](Lit &lit, Side side) {
         lit.light.resize(count);
-        lit.unstable.resize(count);
+        lit.doubts.resize(count);
         for_pieces(count, [&](std::size_t i) {
             const IsolatedPoint at = point_at(i, side);
             const SurfacePoint point = at.point_at(0, 0);
             lit.light[i] = at.reflect(terms, point);
-            lit.unstable[i] = at.may_jump(terms, point) ? 1 : 0;
+            lit.doubts[i] = at.doubts(terms, point);
         });
     };
     light_side(object.front, Side::front);

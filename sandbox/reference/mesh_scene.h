@@ -16,7 +16,7 @@ namespace sandbox::reference {
 /// vertex; else empty.
 struct Lit {
     std::vector<Reflected> light;
-    std::vector<unsigned char> unstable; ///< float32 rounding may take the equation's other branch there
+    std::vector<Doubts> doubts;
 };
 
 struct MeshObject {

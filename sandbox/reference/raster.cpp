@@ -13,8 +13,9 @@ namespace {
 constexpr int band_rows = 16;
 
 /// Two depths closer than this, in OpenGL's depth range [0, 1], may come out in either order: a float32 depth buffer
-/// resolves 6e-8 near 1, and the interpolated depth carries a few such steps.
+/// resolves 6e-8 near 1, and the interpolated depth, or its logarithm, carries a few such steps.
 constexpr double depth_resolution = 4e-7;
+constexpr double interpolation = 0x1p-22; ///< four roundings
 
 /// The edge function from p to q at the origin of shifted corners: positive on one side, and exactly the negative where
 /// p and q are exchanged, so that two triangles which share an edge agree on every pixel.
@@ -55,9 +56,9 @@ struct Edges {
     }
 };
 
-void keep_nearer(Hit &kept, Hit drawn, double resolution) {
+void keep_nearer(Hit &kept, Hit drawn) {
     const double lead = drawn.inverse_w - kept.inverse_w;
-    const bool tie = kept.object != 0 && std::abs(lead) < resolution;
+    const bool tie = kept.object != 0 && std::abs(lead) < std::max(kept.resolution, drawn.resolution);
     if (lead > 0) {
         drawn.beside = kept.beside;
         drawn.tie = tie;
@@ -99,8 +100,8 @@ bool near_edge(const Triangle &triangle, double x, double y) {
     return false;
 }
 
-Rasteriser::Rasteriser(const std::vector<RasterObject> &objects, Size size, double near, double far)
-    : objects_(objects), size_(size), near_(near), far_(far),
+Rasteriser::Rasteriser(const std::vector<RasterObject> &objects, Size size, double near, double far, bool deep)
+    : objects_(objects), size_(size), near_(near), far_(far), deep_(deep),
       bins_(static_cast<std::size_t>((size.height + band_rows - 1) / band_rows)) {
     for (std::uint32_t object = 0; object < objects.size(); ++object) {
         for (std::uint32_t i = 0; i < objects[object].triangles->size(); ++i) {
@@ -150,7 +151,13 @@ std::optional<Rasteriser::Box> Rasteriser::bounds(const Triangle &triangle) cons
     return Box{static_cast<int>(low.x), static_cast<int>(high.x), static_cast<int>(low.y), static_cast<int>(high.y)};
 }
 
-bool Rasteriser::beside_wins(const Hit &hit) const { return hit.beside > hit.inverse_w - depth_resolution / near_; }
+bool Rasteriser::beside_wins(const Hit &hit) const { return hit.beside > hit.inverse_w - hit.resolution; }
+
+/// The logarithm's step is a share of the distance, but 1 / w is rounded as it is interpolated from the nearest corner.
+double Rasteriser::resolution(double inverse_w, double highest) const {
+    return deep_ ? depth_resolution * std::log(far_ / near_) * inverse_w + interpolation * std::min(highest, 1 / near_)
+                 : depth_resolution / near_;
+}
 
 std::vector<Hit> Rasteriser::draw(std::size_t band) const {
     const int first = first_row(band);
@@ -188,7 +195,8 @@ void Rasteriser::draw_triangle(const Entry &entry, int first_row, std::span<Hit>
                 const double beside = std::clamp(inverse_w, edges.lowest, edges.highest);
                 hit.beside = std::max(hit.beside, beside <= 1 / near_ ? beside : 0);
             } else if (inverse_w * near_ <= 1 && inverse_w * far_ >= 1) {
-                keep_nearer(hit, {entry.object + 1, entry.triangle, inverse_w, 0, false}, depth_resolution / near_);
+                keep_nearer(
+                    hit, {entry.object + 1, entry.triangle, inverse_w, 0, false, resolution(inverse_w, edges.highest)});
             }
         }
     }

@@ -39,9 +39,10 @@ struct RasterObject {
 struct Hit {
     std::uint32_t object = 0; ///< 0 background, i + 1 objects[i]
     std::uint32_t triangle = 0;
-    double inverse_w = 0; ///< 1 / distance along the camera's axis; 0 for the background
-    double beside = 0;    ///< the largest inverse_w of a triangle that misses the centre by less than edge_width
-    bool tie = false;     ///< another triangle lies within float32 depth resolution: OpenGL may pick that one
+    double inverse_w = 0;  ///< 1 / distance along the camera's axis; 0 for the background
+    double beside = 0;     ///< the largest inverse_w of a triangle that misses the centre by less than edge_width
+    bool tie = false;      ///< another triangle lies within float32 depth resolution: OpenGL may pick that one
+    double resolution = 0; ///< two values of inverse_w that are nearer to each other may come out in either order
 };
 
 /// How the triangle's corners run on the screen: 1 clockwise, -1 counter-clockwise, 0 seen edge-on.
@@ -57,8 +58,9 @@ bool near_edge(const Triangle &triangle, double x, double y);
 /// rule, so that triangles that share an edge cover each pixel once.
 class Rasteriser {
   public:
-    /// near and far are distances along the camera's axis, both inclusive. Keeps a reference to `objects`.
-    Rasteriser(const std::vector<RasterObject> &objects, Size size, double near, double far);
+    /// near and far are distances along the camera's axis, both inclusive; `deep`: OpenGL's depth is the logarithm of
+    /// the distance. Keeps a reference to `objects`.
+    Rasteriser(const std::vector<RasterObject> &objects, Size size, double near, double far, bool deep = false);
 
     /// Rows are drawn in bands, each on its own (so bands may be drawn by any thread).
     [[nodiscard]] std::size_t bands() const { return bins_.size(); }
@@ -81,10 +83,13 @@ class Rasteriser {
     };
     [[nodiscard]] std::optional<Box> bounds(const Triangle &triangle) const;
     void draw_triangle(const Entry &entry, int first_row, std::span<Hit> hits) const;
+    /// Hit::resolution on a triangle whose corners' inverse_w is at most `highest`.
+    [[nodiscard]] double resolution(double inverse_w, double highest) const;
 
     const std::vector<RasterObject> &objects_;
     Size size_;
     double near_, far_;
+    bool deep_;
     std::vector<std::vector<Entry>> bins_;
 };
 

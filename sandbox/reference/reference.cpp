@@ -32,6 +32,7 @@ ReferenceFrame render_reference(const Scene &scene, const std::vector<ObjectReso
     frame.object_ids.assign(pixels, 0);
     frame.edge.assign(pixels, 0);
     frame.jump.assign(pixels, 0);
+    frame.rounding.assign(pixels, 0);
     parallel_for(
         picture->bands(), [&](std::size_t band) { picture->draw(band, frame); }, progress);
     frame.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();

@@ -25,10 +25,18 @@ struct ReferenceFrame {
     /// 1 where a pixel's centre lies within 1/128 pixel of an edge between triangles, or another surface lies within
     /// the depth buffer's resolution: OpenGL may see the neighbour.
     std::vector<std::uint8_t> edge;
-    /// 1 where the equation jumps (gate, hard cone, checker cell, N turned under facing=view, N where its corners'
-    /// normals cancel) within 1/128 pixel or within float32 rounding of what decides it.
+    /// 1 where the equation jumps (gate, hard cone, checker cell, N turned under facing=view) within 1/128 pixel or
+    /// within float32 rounding of what decides it, and what jumps adds light.
     std::vector<std::uint8_t> jump;
+    /// 1 where float32 keeps too little of the direction to a light, or of a normal whose corners' normals cancel, and
+    /// what depends on it adds light.
+    std::vector<std::uint8_t> rounding;
     double milliseconds = 0;
+
+    void mark(std::size_t pixel, const reference::PixelMasks &masks) {
+        jump[pixel] = masks.jump ? 1 : 0;
+        rounding[pixel] = masks.rounding ? 1 : 0;
+    }
 };
 
 /// One sample at each pixel's centre. technique.power and technique.program change nothing here. The same inputs give
@@ -53,6 +61,7 @@ struct PixelProbe {
     glm::dvec3 color{0};                       ///< what render_reference gives there
     bool edge = false;
     bool jump = false;
+    bool rounding = false;
     /// How far the colour moves where the triangle moves in the window by 2^-22 of the picture's longer side, along
     /// each axis, as float32 may move it. Slivers and sharp highlights magnify that. 0 for an analytic surface.
     double window_rounding = 0;

@@ -39,4 +39,9 @@ std::vector<Features> object_features(const Scene &scene, const Technique &techn
     return all;
 }
 
+bool same_picture(const Scene &scene, const Technique &a, const Technique &b,
+                  const std::vector<ObjectResources> &resources) {
+    return a == b || object_features(scene, a, resources) == object_features(scene, b, resources);
+}
+
 } // namespace sandbox

@@ -32,4 +32,9 @@ std::vector<PreparedObject> prepare_objects(const Scene &scene, const Technique 
 std::vector<Features> object_features(const Scene &scene, const Technique &technique,
                                       const std::vector<ObjectResources> &resources);
 
+/// Do two techniques draw the scene with the same programs, fed the same numbers? Then their pictures are the same
+/// bits.
+bool same_picture(const Scene &scene, const Technique &a, const Technique &b,
+                  const std::vector<ObjectResources> &resources);
+
 } // namespace sandbox

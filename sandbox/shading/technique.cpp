@@ -130,4 +130,15 @@ bool can_matter(const TechniqueKey &key, int value, const Scene &scene, const Te
            std::ranges::any_of(scene.objects, [&](const Object &object) { return rule(scene, object, technique); });
 }
 
+std::vector<TechniqueKey> settings_without_effect(const Scene &scene, const Technique &technique) {
+    std::vector<TechniqueKey> idle;
+    for (const TechniqueKey &key : technique_settings) {
+        const int value = key.get(technique);
+        if (value != 0 && !can_matter(key, value, scene, technique)) {
+            idle.push_back(key);
+        }
+    }
+    return idle;
+}
+
 } // namespace sandbox

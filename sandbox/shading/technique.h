@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 /// How a scene is lit. Written `per-pixel/blinn-phong:power=stable`; the first value of every key is the default, and
 /// right; the others are faults (each from a source document or a well-known bug) or variants.
@@ -276,5 +277,7 @@ Technique nearest_valid(Technique technique);
 /// Can this value change the picture of the scene, the other keys being those of `technique`? Sharp enough to be told
 /// to people: where the answer is no, the reference draws the very picture of the key's default.
 bool can_matter(const TechniqueKey &key, int value, const Scene &scene, const Technique &technique);
+/// The settings that `technique` changes from their defaults though that changes no pixel of the scene.
+std::vector<TechniqueKey> settings_without_effect(const Scene &scene, const Technique &technique);
 
 } // namespace sandbox

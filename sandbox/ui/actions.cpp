@@ -56,6 +56,8 @@ Action switch_flag(int key, const char *shown, const char *name, bool Appearance
 void exchange_sides(Session &s) { std::swap(s.document.left, s.document.right); }
 void reset_scene(Session &s) { s.document.scene = s.document.opened->scene; }
 void switch_wireframe(Session &s) { s.view.wireframe = !s.view.wireframe; }
+void switch_masks(Session &s) { s.view.masks = !s.view.masks; }
+bool shows_masks(const Session &s) { return s.view.masks; }
 void switch_display(Session &s) {
     s.document.display = s.document.display == Display::linear ? Display::srgb : Display::linear;
 }
@@ -97,6 +99,8 @@ std::vector<Action> make_actions() {
         {window, control, GLFW_KEY_0, "Ctrl 0", "everything at its first size", "", first_scale},
         switch_flag(GLFW_KEY_F1, "?  F1", "keys and mouse", &Appearance::key_list),
         {keys, plain, GLFW_KEY_ESCAPE, "", "close the list of keys", "", close_key_list},
+        {window, plain, GLFW_KEY_K, "K", "masks", "the pixels that errors against the reference leave out",
+         switch_masks, shows_masks},
         {window, control, GLFW_KEY_Q, "Ctrl+Q", "quit", "", [](Session &s) { s.requests.quit = true; }},
     };
     for (std::size_t tab = 0; tab < std::size(bottom_tabs); ++tab) {

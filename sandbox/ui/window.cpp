@@ -10,6 +10,7 @@
 #include "ui/glfw_window.h"
 #include "ui/gui.h"
 #include "ui/keys.h"
+#include "ui/mask_overlay.h"
 #include "ui/session/open_file.h"
 #include "ui/session/written_files.h"
 
@@ -74,6 +75,7 @@ class Window {
     ViewPainter painter_;
     Session session_;
     BottomPanel bottom_;
+    MaskOverlay masks_;
     std::string shown_title_;
     int frames_left_ = settling_frames;
 };
@@ -121,7 +123,7 @@ void Window::take_input() {
     const Arrivals arrivals = window_.take_arrivals();
     const bool reloaded = polls_shaders_ && painter_.reload_changed_shaders();
     frames_left_ = arrivals.any || reloaded ? settling_frames : frames_left_;
-    const News news = bottom_.take_news(session_);
+    const News news = std::max(bottom_.take_news(session_), masks_.take_news());
     const int frames = news == News::none       ? 0
                        : news == News::progress ? 1
                                                 : settling_frames; // few beside a measurement
@@ -154,6 +156,7 @@ void Window::draw() {
     }
     window_.set_full_screen(session_.appearance.full_screen);
     gui_.begin_frame(session_.appearance);
+    masks_.update(session_, painter_);
     draw_frame(session_, painter_, bottom_);
     begin_window_surface(size);
     gui_.end_frame();

@@ -134,6 +134,52 @@ TEST_F(CliGl, CompareSaysZeroOfTheSame) {
     }
     EXPECT_TRUE(json.at("psnr").is_null());
     EXPECT_GT(json.at("compared_pixels"), 100);
+    EXPECT_EQ(json.at("compared_share"), 1) << "between two drawn pictures nothing but silhouettes is masked";
+    EXPECT_TRUE(json.at("reason").is_null());
+    EXPECT_TRUE(json.at("same_picture"));
+    EXPECT_NE(same.err.find("draw the same picture"), std::string::npos);
+}
+
+/// Pixels of background prove nothing: no number is perfect, and the check fails.
+TEST_F(CliGl, CompareOfNothingSaysNothing) {
+    for (const char *right : {"reference", "per-pixel/phong"}) {
+        const ProcessResult result = run_sandbox({"compare", "point-light", "--left", "flat/lambert", "--right", right,
+                                                  "--size", "1x1", "--set", "camera.target=[100,100,0]", "--json"});
+        EXPECT_EQ(result.exit_code, 1) << result.err;
+        EXPECT_NE(result.err.find("nothing is compared: neither picture shows an object"), std::string::npos);
+        const auto json = nlohmann::json::parse(result.out);
+        for (const char *key :
+             {"rmse", "mean_abs", "max_abs", "p99_abs", "psnr", "max_levels", "differing_share", "compared_share",
+              "silhouette_max_abs", "edge_max_abs", "jump_max_abs", "rounding_max_abs", "worst_pixel"}) {
+            EXPECT_TRUE(json.at(key).is_null()) << key << " " << json.at(key);
+        }
+        EXPECT_EQ(json.at("compared_pixels"), 0);
+        EXPECT_EQ(json.at("rounding_pixels"), 0);
+        EXPECT_EQ(json.at("reason"), "neither picture shows an object");
+    }
+}
+
+TEST_F(CliGl, WhatDoesNothingIsNamed) {
+    // A ball that is only moved: its normals need no normal matrix; one lamp without ambient light.
+    const ProcessResult result =
+        run_sandbox({"compare", "point-light", "--left",
+                     "per-pixel/phong:normals=model-matrix,gate=none,direction=unnegated-diffuse", "--right",
+                     "reference", "--size", "32x24", "--json"});
+    const auto json = nlohmann::json::parse(result.out);
+    EXPECT_EQ(json.at("no_effect"), (nlohmann::json{"normals", "direction"}));
+    EXPECT_FALSE(json.at("same_picture"));
+    EXPECT_NE(result.err.find("normals=model-matrix has no effect"), std::string::npos);
+    EXPECT_EQ(result.err.find("gate=none"), std::string::npos);
+    const ProcessResult equal = run_sandbox({"compare", "point-light", "--left", "per-pixel/phong:normals=model-matrix",
+                                             "--right", "per-pixel/phong", "--size", "32x24", "--json"});
+    EXPECT_TRUE(nlohmann::json::parse(equal.out).at("same_picture"));
+    EXPECT_NE(equal.err.find("draw the same picture"), std::string::npos);
+    const ProcessResult glsl =
+        run_sandbox({"glsl", "point-light", "--technique", "per-pixel/phong:normals=model-matrix"});
+    EXPECT_NE(glsl.err.find("normals=model-matrix has no effect"), std::string::npos);
+    EXPECT_EQ(glsl.out, run_sandbox({"glsl", "point-light", "--technique", "per-pixel/phong"}).out);
+    const ProcessResult captured = capture("c.png");
+    EXPECT_EQ(captured.err.find("no effect"), std::string::npos);
 }
 
 TEST_F(CliGl, CompareChecksABound) {

@@ -39,7 +39,7 @@ class RandomStress : public GlTest {
     static StabilityRow judge(const Frame &drawn, const ReferenceFrame &truth, const Scene &scene,
                               const std::vector<ObjectResources> &resources, const Technique &technique) {
         StabilityRow row = judge_stability(drawn, truth, technique, bound, ErrorUnit::brightest_value);
-        row.passed = row.metrics.nonfinite_pixels == 0 && row.error <= bound && !elsewhere(row.metrics);
+        row.passed = verdict(row) == Verdict::fine;
         if (row.metrics.nonfinite_pixels == 0 && !row.passed) {
             const Conditioning conditioning(scene, resources, technique, truth);
             row.error = row.error > bound ? conditioning.unexplained(drawn) : row.error;

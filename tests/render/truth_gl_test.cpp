@@ -45,8 +45,8 @@ class Truth : public GlTest {
 
   private:
     static void expect_all_counted(const Metrics &metrics) {
-        const std::size_t shown =
-            metrics.compared_pixels + metrics.silhouette_pixels + metrics.edge_pixels + metrics.jump_pixels;
+        const std::size_t shown = metrics.compared_pixels + metrics.silhouette_pixels + metrics.edge_pixels +
+                                  metrics.jump_pixels + metrics.rounding_pixels;
         EXPECT_EQ(metrics.nonfinite_pixels, 0U);
         EXPECT_LT(static_cast<double>(metrics.silhouette_pixels), 0.005 * static_cast<double>(shown));
         // What is left out must stay little: under 2 % of what is shown, in every scene and technique.
@@ -56,7 +56,8 @@ class Truth : public GlTest {
     /// 0 for a pixel that is not compared.
     static double difference(const Frame &drawn, const ReferenceFrame &truth, std::size_t i) {
         const std::uint32_t id = truth.object_ids[i];
-        if (id == 0 || drawn.object_ids[i] != id || truth.edge[i] != 0 || truth.jump[i] != 0) {
+        if (id == 0 || drawn.object_ids[i] != id || truth.edge[i] != 0 || truth.jump[i] != 0 ||
+            truth.rounding[i] != 0) {
             return 0;
         }
         const glm::dvec3 d = glm::abs(glm::dvec3(drawn.color.pixels[i]) - truth.color[i]);

@@ -96,7 +96,7 @@ void Conditioning::note(const ReferenceFrame &moved) {
 }
 
 bool Conditioning::compared(std::size_t i) const {
-    return truth_.object_ids[i] != 0 && truth_.edge[i] == 0 && truth_.jump[i] == 0;
+    return truth_.object_ids[i] != 0 && truth_.edge[i] == 0 && truth_.jump[i] == 0 && truth_.rounding[i] == 0;
 }
 
 std::size_t Conditioning::unexplained_silhouettes(const Frame &drawn) const {

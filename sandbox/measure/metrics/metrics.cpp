@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <fmt/format.h>
 #include <glm/common.hpp>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <vector>
@@ -15,6 +17,9 @@ namespace sandbox {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
+
+constexpr Norms not_finite{infinite, infinite, infinite, infinite};
+constexpr Norms nothing_compared{unmeasured, unmeasured, unmeasured, unmeasured};
 
 bool finite(const glm::dvec3 &c) { return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z); }
 
@@ -33,8 +38,10 @@ class Reading {
         return frame_ != nullptr ? glm::dvec3(frame_->color.pixels[i]) : truth_->color[i];
     }
     [[nodiscard]] std::uint32_t id(std::size_t i) const { return (*ids_)[i]; }
-    [[nodiscard]] bool edge(std::size_t i) const { return truth_ != nullptr && truth_->edge[i] != 0; }
-    [[nodiscard]] bool jump(std::size_t i) const { return truth_ != nullptr && truth_->jump[i] != 0; }
+    /// Does this mask of a truth cover the pixel?
+    [[nodiscard]] bool masked(std::vector<std::uint8_t> ReferenceFrame::*mask, std::size_t i) const {
+        return truth_ != nullptr && (truth_->*mask)[i] != 0;
+    }
     [[nodiscard]] ByteImage display() const {
         return to_display(frame_ != nullptr ? frame_->color : to_frame(*truth_).color, Display::linear);
     }
@@ -67,10 +74,10 @@ class Differences {
 
     /// Loses the order of the values.
     [[nodiscard]] Norms norms() {
-        Norms norms;
         if (values_.empty()) {
-            return norms;
+            return nothing_compared;
         }
+        Norms norms;
         double sum = 0;
         double squares = 0;
         for (const double value : values_) {
@@ -91,9 +98,30 @@ class Differences {
     std::vector<double> values_;
 };
 
-constexpr Norms not_finite{infinite, infinite, infinite, infinite};
+/// The first cause that applies.
+PixelUse use_of(const Reading &left, const Reading &right, std::size_t i) {
+    const auto masked = [&](auto mask) { return left.masked(mask, i) || right.masked(mask, i); };
+    if (left.id(i) != right.id(i)) {
+        return PixelUse::silhouette;
+    }
+    if (left.id(i) == 0) {
+        return PixelUse::background;
+    }
+    if (masked(&ReferenceFrame::edge)) {
+        return PixelUse::edge;
+    }
+    if (masked(&ReferenceFrame::jump)) {
+        return PixelUse::jump;
+    }
+    return masked(&ReferenceFrame::rounding) ? PixelUse::rounding : PixelUse::compared;
+}
 
-/// Finds the pixels to compare; counts the others.
+double largest_difference(const Reading &left, const Reading &right, std::size_t i) {
+    const glm::dvec3 difference = glm::abs(left.color(i) - right.color(i));
+    return std::max({difference.x, difference.y, difference.z});
+}
+
+/// Finds the pixels to compare; counts the others, with the largest error under each mask.
 std::vector<std::size_t> compared_pixels(const Reading &left, const Reading &right, Metrics &metrics) {
     std::vector<std::size_t> compared;
     compared.reserve(left.pixels());
@@ -101,16 +129,15 @@ std::vector<std::size_t> compared_pixels(const Reading &left, const Reading &rig
         if ((!finite(left.color(i)) || !finite(right.color(i))) && metrics.nonfinite_pixels++ == 0) {
             metrics.worst_pixel = i;
         }
-        if (left.id(i) != right.id(i)) {
-            ++metrics.silhouette_pixels;
-        } else if (left.id(i) == 0) {
-            continue;
-        } else if (left.edge(i) || right.edge(i)) {
-            ++metrics.edge_pixels;
-        } else if (left.jump(i) || right.jump(i)) {
-            ++metrics.jump_pixels;
-        } else {
+        const PixelUse use = use_of(left, right, i);
+        if (use == PixelUse::compared) {
             compared.push_back(i);
+        }
+        const auto mask = std::ranges::find(masks, use, &Mask::use);
+        if (mask != std::end(masks)) {
+            ++(metrics.*mask->pixels);
+            double &most = metrics.*mask->max_abs;
+            most = std::fmax(most, largest_difference(left, right, i)); // which drops NaN
         }
     }
     metrics.compared_pixels = compared.size();
@@ -126,10 +153,7 @@ Norms norms_of(const Reading &left, const Reading &right, const std::vector<std:
 }
 
 std::size_t worst_of(const Reading &left, const Reading &right, const std::vector<std::size_t> &compared) {
-    const auto error = [&](std::size_t i) {
-        const glm::dvec3 difference = glm::abs(left.color(i) - right.color(i));
-        return std::max({difference.x, difference.y, difference.z});
-    };
+    const auto error = [&](std::size_t i) { return largest_difference(left, right, i); };
     return compared.empty() ? 0 : *std::ranges::max_element(compared, {}, error);
 }
 
@@ -139,16 +163,17 @@ void compare_displayed(const Reading &left, const Reading &right, const std::vec
     const ByteImage a = left.display();
     const ByteImage b = right.display();
     std::size_t differing = 0;
+    int most = 0;
     for (const std::size_t i : compared) {
         int levels = 0;
         for (std::size_t channel = 0; channel < 3; ++channel) {
             levels = std::max(levels, std::abs(a.rgb[3 * i + channel] - b.rgb[3 * i + channel]));
         }
         differing += levels > 0 ? 1 : 0;
-        metrics.max_levels = std::max(metrics.max_levels, levels);
+        most = std::max(most, levels);
     }
-    metrics.differing_share =
-        compared.empty() ? 0 : static_cast<double>(differing) / static_cast<double>(compared.size());
+    metrics.max_levels = most;
+    metrics.differing_share = static_cast<double>(differing) / static_cast<double>(compared.size());
     metrics.flip = flip == Flip::with ? mean_flip(a, b) : 0;
 }
 
@@ -156,9 +181,7 @@ Metrics compare_views(const Reading &left, const Reading &right, Flip flip) {
     require_alike(left, right);
     Metrics metrics;
     const std::vector<std::size_t> compared = compared_pixels(left, right, metrics);
-    if (metrics.nonfinite_pixels > 0) {
-        metrics.norms = not_finite;
-    } else {
+    if (metrics.nonfinite_pixels == 0) {
         metrics.norms = norms_of(left, right, compared);
         metrics.worst_pixel = worst_of(left, right, compared);
     }
@@ -166,6 +189,7 @@ Metrics compare_views(const Reading &left, const Reading &right, Flip flip) {
         metrics.psnr = -20 * std::log10(metrics.norms.rmse);
     }
     compare_displayed(left, right, compared, flip, metrics);
+    settle(metrics);
     return metrics;
 }
 
@@ -192,6 +216,74 @@ Norms quantisation_of(const Frame &drawn) {
 }
 
 } // namespace
+
+void settle(Metrics &metrics) {
+    std::size_t masked = 0;
+    for (const Mask &mask : masks) {
+        masked += metrics.*mask.pixels;
+        if (metrics.nonfinite_pixels > 0 && metrics.*mask.pixels > 0) {
+            metrics.*mask.max_abs = infinite;
+        }
+    }
+    const auto shown = static_cast<double>(metrics.compared_pixels + masked);
+    metrics.compared_share = shown > 0 ? static_cast<double>(metrics.compared_pixels) / shown : unmeasured;
+    if (metrics.compared_pixels == 0) {
+        metrics.norms = nothing_compared;
+        metrics.psnr = unmeasured;
+        metrics.max_levels.reset();
+        metrics.differing_share = unmeasured;
+    }
+    if (metrics.nonfinite_pixels > 0) {
+        metrics.norms = not_finite;
+        metrics.psnr = -infinite;
+    }
+}
+
+std::string why_untrusted(const Metrics &metrics) {
+    const bool nothing = std::isnan(metrics.norms.rmse);
+    if (!nothing && !(metrics.compared_share < trusted_share)) {
+        return {};
+    }
+    std::size_t shown = metrics.compared_pixels;
+    std::string causes;
+    for (const Mask &mask : masks) {
+        const std::size_t pixels = metrics.*mask.pixels;
+        shown += pixels;
+        causes += pixels > 0 ? fmt::format("{}{} {}", causes.empty() ? "" : ", ", mask.name, pixels) : "";
+    }
+    return shown == 0 ? "neither picture shows an object"
+                      : fmt::format("{} of the {} pixels that show an object are compared; left out: {}",
+                                    metrics.compared_pixels == 0 ? "none" : fmt::format("{}", metrics.compared_pixels),
+                                    shown, causes);
+}
+
+std::vector<PixelUse> pixel_uses(const std::vector<std::uint32_t> &left_ids, const ReferenceFrame &right) {
+    Frame left;
+    left.color.size = right.size;
+    left.object_ids = left_ids;
+    const Reading drawn(left);
+    const Reading truth(right);
+    require_alike(drawn, truth);
+    std::vector<PixelUse> uses;
+    for (std::size_t i = 0; i < drawn.pixels(); ++i) {
+        uses.push_back(use_of(drawn, truth, i));
+    }
+    return uses;
+}
+
+ByteImage mask_picture(const ByteImage &shown, const std::vector<PixelUse> &uses) {
+    ByteImage picture = shown;
+    for (std::size_t i = 0; i < uses.size(); ++i) {
+        const auto rgb = picture.rgb.begin() + static_cast<std::ptrdiff_t>(3 * i);
+        const auto mask = std::ranges::find(masks, uses[i], &Mask::use);
+        if (mask != std::end(masks)) {
+            std::ranges::copy(mask->color, rgb);
+        } else {
+            std::fill_n(rgb, 3, static_cast<std::uint8_t>((rgb[0] + rgb[1] + rgb[2]) / 6)); // half of its mean
+        }
+    }
+    return picture;
+}
 
 Metrics compare(const Frame &left, const ReferenceFrame &right, Flip flip) {
     return compare_views(Reading(left), Reading(right), flip);

@@ -123,6 +123,7 @@ void add_run(CsvTable &table, const ReportRun &run, std::size_t number) {
         }
         if (row.errors) {
             add_errors(table, *row.errors);
+            table.cell("marked", row.mark());
         }
         add_ratios(table, m, i);
         const auto step = std::ranges::find(steps, i, &OrderStep::fine);
@@ -147,7 +148,7 @@ void CsvTable::cell(const std::string &column, std::string_view text) {
 void CsvTable::cell(const std::string &column, double value) {
     char text[32];
     const auto end = std::to_chars(text, text + sizeof text, value);
-    cell(column, std::isfinite(value) ? std::string_view(text, end.ptr) : "inf");
+    cell(column, std::isnan(value) ? "" : std::isfinite(value) ? std::string_view(text, end.ptr) : "inf");
 }
 
 std::string CsvTable::text() const {

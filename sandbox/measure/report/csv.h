@@ -14,9 +14,9 @@ class CsvTable {
   public:
     void begin_row() { rows_.emplace_back(); }
     void cell(const std::string &column, std::string_view text);
-    /// The shortest text that reads back as the same number; "inf" if it is not finite.
+    /// The shortest text that reads back as the same number; "inf" if it is infinite, empty if it is NaN.
     void cell(const std::string &column, double value);
-    /// "inf" for a quantity that is absent, too: the psnr of identical pictures.
+    /// "inf" for a quantity that is absent, too: the psnr of identical pictures. Empty where nothing could be measured.
     template <class T> void cell(const std::string &column, const Quantity<T> &quantity, const T &measured) {
         cell(column, quantity.value(measured).value_or(std::numeric_limits<double>::infinity()));
     }

@@ -38,7 +38,7 @@ PlotRequest ladder_plot(const WorkPrecision &m, Model model) {
         for (std::size_t i = 0; i < m.rows.size(); ++i) {
             const MeasuredRow &row = m.rows[i];
             const double rings = m.meshes[row.plan.mesh].rings;
-            if (row.finite() && row.plan.group == RowGroup::ladder && row.plan.technique.model == model &&
+            if (row.trusted() && row.plan.group == RowGroup::ladder && row.plan.technique.model == model &&
                 row.plan.technique.frequency == frequency) {
                 series.points.push_back({rings, row.errors->total.norms.rmse, rings, rings, i});
             }
@@ -96,7 +96,7 @@ std::string error_split(const ReportRun &run) {
     for (const Frequency frequency : all_frequencies) {
         bool first = true;
         for (const MeasuredRow &row : m.rows) {
-            if (!row.finite() || !is_base(row) || row.plan.technique.model != models.back() ||
+            if (!row.trusted() || !is_base(row) || row.plan.technique.model != models.back() ||
                 row.plan.technique.frequency != frequency) {
                 continue;
             }

@@ -66,7 +66,7 @@ std::vector<ReportPicture> report_pictures(const WorkPrecision &measured, const 
     const MeasuredRow *best = nullptr;
     const MeasuredRow *worst = nullptr;
     for (const MeasuredRow &row : measured.rows) {
-        if (!is_base(row) || !row.finite() || row.plan.technique.model != model) {
+        if (!is_base(row) || !row.trusted() || row.plan.technique.model != model) {
             continue;
         }
         const double error = row.errors->total.norms.rmse;

@@ -71,7 +71,8 @@ std::string times_table(const std::vector<ReportRun> &runs) {
             const MeasuredRow *found = twin(runs[i], row, mesh);
             const auto time = found != nullptr ? std::optional(found->time->median) : std::nullopt;
             add(time, milliseconds_text, "");
-            add(found != nullptr ? std::optional(found->errors->total.norms.rmse) : std::nullopt, short_number, "q");
+            add(found != nullptr ? std::optional(found->errors->total.norms.rmse) : std::nullopt, short_number,
+                found == nullptr || found->mark().empty() ? "q" : "unsettled");
             if (i > 0) {
                 add(time && row.time ? std::optional(*time / row.time->median) : std::nullopt, short_number, "");
             }

@@ -6,7 +6,9 @@
 //   rows, omitted [{technique, reason}], findings.
 // row: technique, mesh (index), rings, triangles, group, refused (a reason) or
 //   errors {see norm_quantities and metric_quantities (psnr null: identical), split {see error_parts: each a set of
-//   norms}} and time {see run_time_quantities, samples}. Errors of a picture with pixels that are not finite are null.
+//   norms}}, marked (why they say too little to be recommended by; null: they count) and time {see
+//   run_time_quantities, samples}. Errors of a picture with pixels that are not finite are null, and so are those over
+//   no pixels.
 // findings (rows by index): orders [{coarse, fine, max, l2, l1, interpolation {max, l2, l1}, settling}],
 //   pareto [{model, norm, rows}], cheapest [{model, norm, bound, row (null: none)}],
 //   specialisation and power [{row, base, time_ratio [lower quartile, median, upper quartile]}],
@@ -70,6 +72,10 @@ RowErrors errors_from(const Json &json) {
                        part.member);
         }
     }
+    settle(errors.total);
+    if (errors.total.nonfinite_pixels > 0) { // the parts of a drawn picture that is not finite
+        errors.split.arithmetic = errors.split.quantisation = errors.total.norms;
+    }
     return errors;
 }
 
@@ -95,6 +101,7 @@ Json row_json(const MeasuredRow &row, const std::vector<PlannedMesh> &meshes) {
     }
     if (row.errors) {
         json["errors"] = errors_json(*row.errors);
+        json["marked"] = row.mark().empty() ? Json() : Json(row.mark());
     }
     if (row.time) {
         json["time"] = quantities_json(run_time_quantities, *row.time);

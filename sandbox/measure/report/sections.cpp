@@ -15,7 +15,7 @@ std::string cheapest_card(const WorkPrecision &m) {
     const auto row = cheapest(m, model, ErrorNorm::rmse, error_bounds[0]);
     const std::string top = fmt::format("Cheapest within one 8-bit level, {}", name_of(model));
     if (!row) {
-        return card(top, "none", "no row has an RMSE of 1/255 or less");
+        return card(top, "none", "no row that counts has an RMSE of 1/255 or less");
     }
     const MeasuredRow &found = m.rows[*row];
     return card(top, escaped(to_string(found.plan.technique)),
@@ -48,6 +48,15 @@ std::string failures_card(const WorkPrecision &m) {
         m.rows, [](const MeasuredRow &row) { return row.errors && row.errors->total.nonfinite_pixels > 0; });
     return card("Rows with a pixel that is not finite", fmt::format("{}", failed),
                 fmt::format("of {} rows measured", m.rows.size()));
+}
+
+/// Empty where there is no such row.
+std::string marked_card(const WorkPrecision &m) {
+    const std::size_t marked = marked_rows(m);
+    return marked == 0
+               ? ""
+               : card("Rows of which less than half is compared", fmt::format("{}", marked),
+                      fmt::format("of {} rows measured; they are in no plot and never recommended", m.rows.size()));
 }
 
 /// The head of a quantity's column; its unit and meaning show when the mouse rests on it.
@@ -88,8 +97,10 @@ void add_errors(Table &table, const RowErrors &errors) {
     for_each_metric(errors.total, [&](const auto &metric, const auto &measured) {
         if (!metric.heading.empty()) {
             const bool bad = errors.total.nonfinite_pixels > 0;
+            const bool marked = !why_untrusted(errors.total).empty();
             table.number(metric.value(measured).value_or(0), quantity_text(metric, measured),
                          bad              ? "bad"
+                         : marked         ? "unsettled"
                          : metric.whole() ? "q"
                                           : "");
         }
@@ -102,7 +113,10 @@ void add_errors(Table &table, const RowErrors &errors) {
 void add_row(Table &table, const WorkPrecision &m, const MeasuredRow &row) {
     const PlannedMesh &mesh = m.meshes[row.plan.mesh];
     table.begin_row();
-    table.text(technique_code(row.plan.technique));
+    const std::string mark = row.mark();
+    table.text(technique_code(row.plan.technique) +
+                   (mark.empty() ? "" : fmt::format(R"(<br><span class="q">{}</span>)", escaped(mark))),
+               mark.empty() ? "" : "bad");
     table.number(mesh.rings, mesh.ladder ? fmt::format("{}", mesh.rings) : "own");
     table.number(static_cast<double>(mesh.triangles), fmt::format("{}", mesh.triangles));
     if (!row.refused.empty()) {
@@ -125,8 +139,8 @@ std::string item(std::string_view term, std::string_view text) {
 std::string summary(const ReportRun &run) {
     const WorkPrecision &m = run.measured;
     return m.rows.empty() ? ""
-                          : fmt::format("<div class=\"cards\">{}{}{}{}</div>\n", cheapest_card(m), saving_card(m),
-                                        truth_card(m), failures_card(m));
+                          : fmt::format("<div class=\"cards\">{}{}{}{}{}</div>\n", cheapest_card(m), saving_card(m),
+                                        truth_card(m), failures_card(m), marked_card(m));
 }
 
 std::string all_rows(const ReportRun &run) {
@@ -136,8 +150,10 @@ std::string all_rows(const ReportRun &run) {
     }
     return section("rows", "Every row",
                    "Errors in linear colour over all three channels of the pixels where the picture and the truth show "
-                   "the same object; pixels at silhouettes, at edges between triangles and at jumps of the equation "
-                   "are only counted. The four parts of the error, in the last columns, are root mean squares.",
+                   "the same object; pixels at silhouettes, at edges between triangles, at jumps of the equation and "
+                   "where rounding alone decides are only counted. A row of which less than half is compared is "
+                   "marked: it is in no plot and never recommended. The four parts of the error, in the last columns, "
+                   "are root mean squares.",
                    table.html());
 }
 

@@ -199,9 +199,9 @@ std::string stability_table(const StabilityRun &run) {
         for (const StabilityRow &row : result.rows) {
             if (!row.passed) {
                 const Metrics &m = row.metrics;
-                out += fmt::format("    {}: error {}, compared {}, silhouette {}, edge {}, jump {}\n",
+                out += fmt::format("    {}: error {}, compared {}, silhouette {}, edge {}, jump {}, rounding {}\n",
                                    to_string(row.technique), error_words(row), m.compared_pixels, m.silhouette_pixels,
-                                   m.edge_pixels, m.jump_pixels);
+                                   m.edge_pixels, m.jump_pixels, m.rounding_pixels);
             }
         }
     }

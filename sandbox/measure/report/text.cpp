@@ -5,6 +5,9 @@
 namespace sandbox {
 
 std::string short_number(double value) {
+    if (std::isnan(value)) {
+        return "none";
+    }
     if (!std::isfinite(value)) {
         return "not finite";
     }

@@ -2,18 +2,21 @@
 
 #include "measure/work_precision/run.h"
 
+#include <cmath>
 #include <fmt/format.h>
 #include <string>
 
 /// How pages, tables and the window write numbers and names.
 namespace sandbox {
 
-/// Three digits: "0.00123", "4.56e-07", "12.3"; "not finite".
+/// Three digits: "0.00123", "4.56e-07", "12.3"; "not finite"; "none" of NaN, where nothing was compared.
 std::string short_number(double value);
 /// A count, or three digits; "none" where there is no such number.
 template <class T> std::string quantity_text(const Quantity<T> &quantity, const T &measured) {
     const std::optional<double> value = quantity.value(measured);
-    return !value ? "none" : quantity.whole() ? fmt::format("{:.0f}", *value) : short_number(*value);
+    return !value || std::isnan(*value) ? "none"
+           : quantity.whole()           ? fmt::format("{:.0f}", *value)
+                                        : short_number(*value);
 }
 /// As a table shows milliseconds: "0.123", "12.3".
 std::string milliseconds_text(double value);

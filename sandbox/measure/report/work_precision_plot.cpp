@@ -13,7 +13,7 @@ PlotSeries series_of(const WorkPrecision &m, const Technique &technique, ErrorNo
     PlotSeries series{std::string(name_of(technique.frequency)), series_style(technique.frequency), {}};
     for (std::size_t i = 0; i < m.rows.size(); ++i) {
         const MeasuredRow &row = m.rows[i];
-        if (row.complete() && row.finite() && row.plan.technique == technique) {
+        if (row.complete() && row.trusted() && row.plan.technique == technique) {
             series.points.push_back({row.time->median, value_of(row.errors->total.norms, norm),
                                      row.time->lower_quartile, row.time->upper_quartile, i});
         }

@@ -19,7 +19,7 @@ constexpr double darkest = 1e-30;
 double brightest(const ReferenceFrame &truth) {
     double largest = 0;
     for (std::size_t i = 0; i < truth.color.size(); ++i) {
-        if (truth.object_ids[i] != 0 && truth.edge[i] == 0 && truth.jump[i] == 0) {
+        if (truth.object_ids[i] != 0 && truth.edge[i] == 0 && truth.jump[i] == 0 && truth.rounding[i] == 0) {
             const glm::dvec3 &c = truth.color[i];
             largest = std::max({largest, c.x, c.y, c.z});
         }

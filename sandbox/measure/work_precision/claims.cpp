@@ -45,7 +45,9 @@ std::vector<Claim> answer_claims(const WorkPrecision &measured) {
         }
         const auto rmse = [&](std::size_t i) { return measured.rows[i].errors->total.norms.rmse; };
         const TimeRatio time = *time_ratio(measured, *row, *base);
-        claims.push_back({says, *row, *base, time, error_words(rmse(*row), rmse(*base)) + ", " + time_words(time)});
+        const bool marked = !measured.rows[*row].mark().empty() || !measured.rows[*base].mark().empty();
+        const std::string error = marked ? "too little is compared to say" : error_words(rmse(*row), rmse(*base));
+        claims.push_back({says, *row, *base, time, error + ", " + time_words(time)});
     };
     for (const Model model : richest_first(measured)) {
         const Technique per_pixel{.frequency = Frequency::per_pixel, .model = model};

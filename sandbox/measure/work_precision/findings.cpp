@@ -10,7 +10,7 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 TimeAndError time_and_error(const MeasuredRow &row, Model model, ErrorNorm norm) {
-    const bool counts = row.complete() && is_base(row) && row.plan.technique.model == model;
+    const bool counts = row.complete() && row.mark().empty() && is_base(row) && row.plan.technique.model == model;
     return counts ? TimeAndError{row.time->median, value_of(row.errors->total.norms, norm)}
                   : TimeAndError{infinite, infinite};
 }
@@ -39,7 +39,7 @@ void add_steps(const WorkPrecision &measured, const Technique &technique, std::v
     bool first = true;
     for (std::size_t mesh = 0; mesh < measured.meshes.size(); ++mesh) {
         const auto fine = measured.meshes[mesh].ladder ? find_row(measured, mesh, technique) : std::nullopt;
-        if (!fine || !measured.rows[*fine].errors) {
+        if (!fine || !measured.rows[*fine].errors || !measured.rows[*fine].mark().empty()) {
             continue;
         }
         if (coarse) {
@@ -80,6 +80,11 @@ std::optional<std::size_t> find_row(const WorkPrecision &measured, std::size_t m
 
 bool is_base(const MeasuredRow &row) {
     return row.plan.group == RowGroup::ladder || row.plan.group == RowGroup::own_mesh;
+}
+
+std::size_t marked_rows(const WorkPrecision &measured) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(measured.rows, [](const MeasuredRow &row) { return !row.mark().empty(); }));
 }
 
 std::vector<Model> models_of(const WorkPrecision &measured) {

@@ -29,6 +29,8 @@ std::optional<std::size_t> find_row(const WorkPrecision &measured, std::size_t m
 /// A frequency and a model with every key at its default: what a user chooses among. The other rows are there to be
 /// compared with these.
 bool is_base(const MeasuredRow &row);
+/// How many rows have a mark: too little of their pictures is compared.
+std::size_t marked_rows(const WorkPrecision &measured);
 /// The models that some row has, in the order lambert, phong, blinn-phong.
 std::vector<Model> models_of(const WorkPrecision &measured);
 /// The same in the order in which pages list them: from blinn_phong to lambert.
@@ -67,11 +69,11 @@ struct TimeAndError {
 /// The indices, by time, of the points than which no other is both faster and closer. Points that are not finite are
 /// left out.
 std::vector<std::size_t> pareto_front(std::span<const TimeAndError> points);
-/// The same over the base rows of one model: each model is judged against its own truth.
+/// The same over the base rows of one model, marked ones apart: each model is judged against its own truth.
 std::vector<std::size_t> pareto_front(const WorkPrecision &measured, Model model, ErrorNorm norm);
 
 constexpr double error_bounds[]{1.0 / 255, 1.0 / 1024, 1e-5};
-/// The base row of least median time whose error is at most `bound`.
+/// The base row of least median time whose error is at most `bound`, over enough of its picture.
 std::optional<std::size_t> cheapest(const WorkPrecision &measured, Model model, ErrorNorm norm, double bound);
 
 /// How much longer `row` takes than `base`: quartiles of the quotients of each round's two times, so that drift

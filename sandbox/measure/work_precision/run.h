@@ -40,6 +40,10 @@ struct MeasuredRow {
 
     [[nodiscard]] bool complete() const { return refused.empty() && errors && time; }
     [[nodiscard]] bool finite() const { return errors && errors->total.nonfinite_pixels == 0; }
+    /// Why its errors say too little to be recommended by, shown in plots or ranked; empty where they count.
+    [[nodiscard]] std::string mark() const { return errors ? why_untrusted(errors->total) : std::string(); }
+    /// Finite errors over enough of the picture.
+    [[nodiscard]] bool trusted() const { return finite() && mark().empty(); }
 };
 
 /// Where the time of the whole measurement went, in seconds.

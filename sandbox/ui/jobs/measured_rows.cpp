@@ -50,6 +50,9 @@ std::vector<std::string> row_lines(const WorkPrecision &measured, std::size_t in
             parts.push_back(fmt::format("{} {}", part.meaning, short_number(part.rmse(row.errors->split))));
         }
         lines.push_back(fmt::format("{}", fmt::join(errors, ", ")));
+        if (const std::string mark = row.mark(); !mark.empty()) {
+            lines.push_back(mark);
+        }
         lines.push_back(fmt::format("RMSE of its parts: {},", fmt::join(parts.begin(), parts.begin() + 2, ", ")));
         lines.push_back(fmt::format("{}", fmt::join(parts.begin() + 2, parts.end(), ", ")));
     }

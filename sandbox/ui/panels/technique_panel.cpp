@@ -53,6 +53,14 @@ void remark(const char *text) {
     ImGui::TextColored(quiet_text(), "%s", text);
 }
 
+/// Where a value is on but does nothing, though the other side could show it.
+const char *idle_side(const Document &document, const TechniqueKey &key, int value) {
+    const auto idle = [&](const Technique &side) {
+        return key.get(side) == value && value_use(key, value, document.scene, side) == ValueUse::no_effect;
+    };
+    return idle(document.left) ? "no effect in A" : idle(document.right) ? "no effect in B" : nullptr;
+}
+
 void label_cell(Session &session, const TechniqueKey &key, int value, bool effect) {
     const Document &document = session.document;
     ImGui::AlignTextToFramePadding();
@@ -62,6 +70,8 @@ void label_cell(Session &session, const TechniqueKey &key, int value, bool effec
     const bool set = key.get(document.left) == value || key.get(document.right) == value;
     if (!effect) {
         remark("no effect here");
+    } else if (const char *idle = idle_side(document, key, value)) {
+        remark(idle);
     } else if (set && key.kind != TechniqueKey::Kind::choice) {
         wrapped_text(quiet_text(), std::string(key.values[static_cast<std::size_t>(value)].look_for));
     }
@@ -140,6 +150,9 @@ void textbook_row(Session &session) {
 
 void technique_panel(Session &session) {
     textbook_row(session);
+    if (session.same_picture) {
+        wrapped_text(quiet_text(), "A and B draw the same picture of this scene.");
+    }
     if (!begin_technique_table("technique")) {
         return;
     }

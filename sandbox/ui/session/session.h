@@ -19,6 +19,7 @@ struct ViewSettings {
     bool show_right = false;              ///< single: B
     double gain = 4;                      ///< difference
     bool wireframe = false;
+    bool masks = false; ///< shows which pixels error figures leave out
 };
 
 struct Appearance {
@@ -62,6 +63,7 @@ struct Session {
     std::string hint;                   ///< about what the mouse is over; empty: nothing
     std::size_t object = 0;             ///< whose material and mesh the panels show
     std::vector<std::size_t> triangles; ///< of each object, as last drawn
+    bool same_picture = false;          ///< A and B draw the same picture of the scene, as last drawn
     std::vector<std::string> scenes;    ///< built-in ones, in the order they are taught
     std::vector<std::string> textures;  ///< built-in ones
 

@@ -113,6 +113,10 @@ void warning(const WorkPrecision &measured, const Scene &shown, ImVec2 right) {
     if (!measured.finished) {
         text = "incomplete: cancelled" + (text.empty() ? "" : ";  " + text);
     }
+    if (const std::size_t marked = marked_rows(measured); marked > 0) {
+        text +=
+            fmt::format("{}{} rows left out: less than half of each is compared", text.empty() ? "" : ";  ", marked);
+    }
     const float width = ImGui::CalcTextSize(text.c_str()).x;
     ImGui::GetWindowDrawList()->AddText({right.x - width, right.y}, ImGui::GetColorU32(error_text()), text.c_str());
 }
@@ -192,8 +196,9 @@ void error_time_figure(Session &session, const WorkPrecision &measured, const Er
     set_margins(plot);
     const PlotLayout layout = lay_out(plot);
     if (std::ranges::all_of(layout.series, [](const PlotSeries &series) { return series.points.empty(); })) {
-        const char *why = plot.series.empty() ? "Nothing to plot: all of it is hidden, or nothing was timed."
-                                              : "No error at all: every picture is exactly the truth.";
+        const char *why = plot.series.empty()
+                              ? "Nothing to plot: all of it is hidden, nothing was timed, or too little is compared."
+                              : "No error at all: every picture is exactly the truth.";
         ImGui::GetWindowDrawList()->AddText(corner, ImGui::GetColorU32(quiet_text()), why);
         return;
     }

@@ -1,6 +1,7 @@
 #include "ui/views/view_painter.h"
 
 #include "measure/stability/textbook.h"
+#include "shading/prepared_object.h"
 
 #include <algorithm>
 #include <chrono>
@@ -157,6 +158,16 @@ std::vector<std::size_t> ViewPainter::triangles(const Scene &scene) {
         counts.clear(); // the view shows the error
     }
     return counts;
+}
+
+bool ViewPainter::same_picture(const Document &document) {
+    try {
+        const auto resources = renderer_.resources().load(document.scene);
+        return !document.left_is_textbook() &&
+               sandbox::same_picture(document.scene, document.left, document.right, resources);
+    } catch (const std::exception &) {
+        return false; // the view shows the error
+    }
 }
 
 bool ViewPainter::reload_changed_shaders() {

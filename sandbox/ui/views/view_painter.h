@@ -1,5 +1,6 @@
 #pragma once
 
+#include "measure/metrics/metrics.h"
 #include "render/display_pass.h"
 #include "render/renderer.h"
 #include "ui/session/session.h"
@@ -7,6 +8,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace sandbox {
@@ -21,6 +23,13 @@ struct PaintedView {
     std::string warning;     ///< there is one, but a shader does not build
 };
 
+/// Which pixels of a side errors leave out.
+struct PaintedMasks {
+    unsigned texture = 0;           ///< in place of the picture; 0: not known
+    double progress = 1;            ///< of finding them
+    std::optional<Metrics> metrics; ///< of the side against its reference
+};
+
 /// Draws the two pictures, each only if something in it has changed.
 class ViewPainter {
   public:
@@ -31,6 +40,8 @@ class ViewPainter {
     void paint(const Session &session, Size each);
 
     [[nodiscard]] const PaintedView &view(bool right) const { return sides_[right ? 1 : 0].shown; }
+    [[nodiscard]] const PaintedMasks &masks(bool right) const { return masks_[right ? 1 : 0]; }
+    void show_masks(bool right, PaintedMasks masks) { masks_[right ? 1 : 0] = std::move(masks); }
     /// 0 until both sides have a picture.
     [[nodiscard]] unsigned difference_texture() const { return difference_ ? difference_->texture() : 0; }
     /// The largest |A - B| of any channel, from the last measure_difference(); infinite if a pixel is not finite.
@@ -40,6 +51,9 @@ class ViewPainter {
 
     /// Triangles of each object; empty if a mesh cannot be read.
     [[nodiscard]] std::vector<std::size_t> triangles(const Scene &scene);
+
+    /// Do A and B draw the same picture of the scene, whatever is ticked?
+    [[nodiscard]] bool same_picture(const Document &document);
 
     [[nodiscard]] Renderer &renderer() { return renderer_; }
     /// --shaders DIR: true if a file there has changed; everything is then redrawn.
@@ -78,6 +92,7 @@ class ViewPainter {
     Renderer renderer_;
     DisplayPass display_pass_;
     std::array<Side, 2> sides_;
+    std::array<PaintedMasks, 2> masks_;
     std::optional<DisplayTexture> difference_;
     double difference_gain_ = 0;
     bool measured_ = false;

@@ -11,6 +11,8 @@
 #include <fmt/format.h>
 #include <imgui.h>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace sandbox {
 
@@ -69,9 +71,11 @@ void draw_error(const Rect &rect, const std::string &text, bool whole) {
     list.PopClipRect();
 }
 
-void draw_view(const PaintedView &view, const Rect &rect, float from = 0, float to = 1) {
+void draw_view(const ViewPainter &painter, bool right, const Rect &rect, float from = 0, float to = 1) {
+    const PaintedView &view = painter.view(right);
     if (view.texture != 0) {
-        draw_picture_part(rect, view.texture, from, to);
+        const unsigned masks = painter.masks(right).texture;
+        draw_picture_part(rect, masks != 0 ? masks : view.texture, from, to);
     } else {
         const Rect part{{rect.low.x + rect.width() * from, rect.low.y}, {rect.low.x + rect.width() * to, rect.high.y}};
         draw_error(part, view.error, true);
@@ -102,7 +106,7 @@ std::string side_name(const Session &session, bool right) {
     if (const auto colon = text.find(':'); colon != std::string::npos) {
         text.replace(colon, 1, "    ");
     }
-    return (right ? "B   " : "A   ") + text;
+    return (right ? "B   " : "A   ") + text + (right && session.same_picture ? "    (the same picture as A)" : "");
 }
 
 std::string time_text(const PaintedView &view) {
@@ -143,10 +147,59 @@ void draw_names(const Session &session, const ViewPainter &painter, const Rect &
     draw_figures(painter.view(right), rect, rect.high.y + below * line, align_right, below > 0);
 }
 
+/// In the lower corner of a picture of masks: what each colour means, how many pixels, the largest error under them.
+void draw_mask_legend(const Session &session, const ViewPainter &painter, const Rect &rect, bool right,
+                      bool align_right) {
+    if (!session.view.masks || painter.view(right).texture == 0) {
+        return;
+    }
+    const PaintedMasks &found = painter.masks(right);
+    std::vector<std::pair<ImU32, std::string>> lines;
+    if (!found.metrics) {
+        lines.emplace_back(0, found.progress < 1 ? fmt::format("masks: {:.0f} %", found.progress * 100) : "masks");
+    } else {
+        const Metrics &metrics = *found.metrics;
+        const double share = metrics.compared_share;
+        lines.emplace_back(0, std::isnan(share) ? "against its reference: nothing is shown"
+                                                : fmt::format("against its reference: {:.1f} % compared", 100 * share));
+        for (const Mask &mask : masks) {
+            const std::size_t pixels = metrics.*mask.pixels;
+            const auto [r, g, b] = mask.color;
+            lines.emplace_back(IM_COL32(r, g, b, 255), pixels == 0
+                                                           ? fmt::format("{}: none", mask.name)
+                                                           : fmt::format("{}: {} pixels, error up to {:.2g}", mask.name,
+                                                                         pixels, metrics.*mask.max_abs));
+        }
+    }
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    const float em = ImGui::GetFontSize();
+    float width = 0;
+    for (const auto &[color, text] : lines) {
+        width = std::max(width, ImGui::CalcTextSize(text.c_str()).x + (color != 0 ? em * 1.2F : 0));
+    }
+    const ImVec2 size{width + em, line * static_cast<float>(lines.size()) + em * 0.5F};
+    const float x = align_right ? rect.high.x - size.x : rect.low.x;
+    float y = rect.high.y - size.y;
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    list.PushClipRect(rect.low, rect.high, true);
+    list.AddRectFilled({x, y}, {x + size.x, y + size.y}, IM_COL32(16, 18, 22, 235));
+    y += em * 0.3F;
+    for (const auto &[color, text] : lines) {
+        const float left = x + em * 0.5F;
+        if (color != 0) {
+            list.AddRectFilled({left, y + em * 0.15F}, {left + em * 0.8F, y + em * 0.95F}, color);
+        }
+        list.AddText({color != 0 ? left + em * 1.2F : left, y}, IM_COL32(240, 240, 240, 255), text.c_str());
+        y += line;
+    }
+    list.PopClipRect();
+}
+
 void show_side_by_side(const Session &session, const ViewPainter &painter, const Arrangement &arrangement) {
     for (const bool right : {false, true}) {
         const Rect rect = arrangement.column(right ? 1 : 0);
-        draw_view(painter.view(right), rect);
+        draw_view(painter, right, rect);
+        draw_mask_legend(session, painter, rect, right, false);
         draw_names(session, painter, rect, right, false);
     }
 }
@@ -157,8 +210,10 @@ Rect right_half(const Rect &rect) { return {{(rect.low.x + rect.high.x) / 2, rec
 void show_wipe(const Session &session, const ViewPainter &painter, const Rect &rect) {
     const float x = divider_x(session, rect);
     const float share = (x - rect.low.x) / rect.width();
-    draw_view(painter.view(false), rect, 0, share);
-    draw_view(painter.view(true), rect, share, 1);
+    draw_view(painter, false, rect, 0, share);
+    draw_view(painter, true, rect, share, 1);
+    draw_mask_legend(session, painter, left_half(rect), false, false);
+    draw_mask_legend(session, painter, right_half(rect), true, true);
     ImDrawList &list = *ImGui::GetWindowDrawList();
     const float middle = (rect.low.y + rect.high.y) / 2;
     const float grip = ImGui::GetFontSize() * 0.45F;
@@ -171,7 +226,8 @@ void show_wipe(const Session &session, const ViewPainter &painter, const Rect &r
 
 void show_flip(const Session &session, const ViewPainter &painter, const Rect &rect) {
     const bool right = session.view.show_right;
-    draw_view(painter.view(right), rect);
+    draw_view(painter, right, rect);
+    draw_mask_legend(session, painter, rect, right, false);
     draw_names(session, painter, rect, right, false);
     draw_text_line(rect, rect.low.y - ImGui::GetFrameHeight(), quiet_text(), right ? "" : "hold Space for B", true);
 }
@@ -200,6 +256,7 @@ void viewports(Session &session, ViewPainter &painter) {
     const Rect rect = arrangement.column(0);
     painter.paint(session, pixels_of(rect));
     session.triangles = painter.triangles(session.document.scene);
+    session.same_picture = painter.same_picture(session.document);
     if (!ImGui::IsAnyItemActive()) {
         painter.measure_difference();
     }

@@ -27,6 +27,7 @@ ReferenceFrame truth(double value = 0.5) {
     frame.object_ids[0] = 0;
     frame.edge.assign(8, 0);
     frame.jump.assign(8, 0);
+    frame.rounding.assign(8, 0);
     return frame;
 }
 
@@ -89,6 +90,59 @@ TEST(Metrics, SilhouettesEdgesAndJumpsAreCountedApart) {
     EXPECT_DOUBLE_EQ(m.norms.mean_abs, 0.25 / 3);
 }
 
+TEST(Metrics, AMaskedPixelCountsOnceUnderTheFirstCause) {
+    Frame left = grey();
+    ReferenceFrame right = truth();
+    for (std::size_t i = 0; i < 8; ++i) {
+        left.color.pixels[i].g += static_cast<float>(i) / 16; // exact in float32
+    }
+    left.object_ids[1] = 2;
+    right.edge = {1, 1, 1, 0, 0, 0, 0, 0}; // of background in both pictures, too
+    right.jump = {1, 1, 1, 1, 0, 0, 0, 0};
+    right.rounding = {1, 1, 1, 1, 1, 1, 0, 0};
+    const Metrics m = compare(left, right);
+    EXPECT_EQ(m.silhouette_pixels, 1U);
+    EXPECT_EQ(m.edge_pixels, 1U);
+    EXPECT_EQ(m.jump_pixels, 1U);
+    EXPECT_EQ(m.rounding_pixels, 2U);
+    EXPECT_EQ(m.compared_pixels, 2U);
+    EXPECT_DOUBLE_EQ(m.compared_share, 2.0 / 7) << "background never counts";
+    EXPECT_DOUBLE_EQ(m.silhouette_max_abs, 1.0 / 16);
+    EXPECT_DOUBLE_EQ(m.edge_max_abs, 2.0 / 16);
+    EXPECT_DOUBLE_EQ(m.jump_max_abs, 3.0 / 16);
+    EXPECT_DOUBLE_EQ(m.rounding_max_abs, 5.0 / 16);
+    EXPECT_DOUBLE_EQ(m.norms.max_abs, 7.0 / 16);
+    const std::vector<PixelUse> uses = pixel_uses(left.object_ids, right);
+    EXPECT_EQ(uses,
+              (std::vector<PixelUse>{PixelUse::background, PixelUse::silhouette, PixelUse::edge, PixelUse::jump,
+                                     PixelUse::rounding, PixelUse::rounding, PixelUse::compared, PixelUse::compared}));
+    const ByteImage picture = mask_picture(to_display(left.color, Display::linear), uses);
+    EXPECT_EQ(picture.rgb[3 * 4], masks[3].color[0]);
+    EXPECT_EQ(picture.rgb[3 * 4 + 1], masks[3].color[1]);
+    EXPECT_EQ(picture.rgb[3 * 7], picture.rgb[3 * 7 + 1]) << "what is compared is grey";
+    EXPECT_NE(why_untrusted(m).find("2 of the 7"), std::string::npos) << why_untrusted(m);
+    right.edge.assign(8, 0);
+    right.jump.assign(8, 0);
+    right.rounding.assign(8, 0);
+    const Metrics most = compare(left, right);
+    EXPECT_TRUE(std::isnan(most.edge_max_abs)) << "an empty mask hides no error";
+    EXPECT_TRUE(why_untrusted(most).empty());
+    right.rounding = {0, 0, 0, 0, 1, 1, 1, 0};
+    EXPECT_DOUBLE_EQ(compare(left, right).compared_share, 3.0 / 7);
+    EXPECT_FALSE(why_untrusted(compare(left, right)).empty());
+}
+
+TEST(Metrics, WhatIsNotFiniteIsNotHiddenByAMask) {
+    Frame left = grey();
+    left.color.pixels[3].r = not_a_number;
+    ReferenceFrame right = truth();
+    right.edge[3] = 1;
+    const Metrics m = compare(left, right);
+    EXPECT_EQ(m.nonfinite_pixels, 1U);
+    EXPECT_TRUE(std::isinf(m.norms.max_abs));
+    EXPECT_TRUE(std::isinf(m.edge_max_abs));
+}
+
 TEST(Metrics, NonFinitePixelsFailEveryNorm) {
     for (const std::size_t pixel : {0U, 3U}) { // in the background too
         Frame left = grey();
@@ -137,15 +191,31 @@ TEST(Metrics, WhatCannotBeComparedIsRefused) {
     EXPECT_THROW(compare(without, truth()), std::invalid_argument);
 }
 
-TEST(Metrics, NothingToCompareIsZero) {
+/// No error is no success where nothing was compared.
+TEST(Metrics, NothingToCompareHasNoNumbers) {
+    const auto expect_none = [](const Metrics &m) {
+        EXPECT_EQ(m.compared_pixels, 0U);
+        EXPECT_TRUE(std::isnan(m.norms.rmse) && std::isnan(m.norms.mean_abs));
+        EXPECT_TRUE(std::isnan(m.norms.max_abs) && std::isnan(m.norms.p99_abs));
+        EXPECT_TRUE(std::isnan(m.differing_share));
+        EXPECT_FALSE(m.max_levels.has_value());
+        EXPECT_TRUE(m.psnr.has_value() && std::isnan(*m.psnr)) << "not infinite, as of identical pictures";
+        EXPECT_FALSE(m.norms.max_abs <= 1e9) << "no bound is met";
+    };
     Frame left = grey();
-    left.object_ids.assign(8, 0);
     ReferenceFrame right = truth();
+    right.edge.assign(8, 1);
+    const Metrics masked = compare(left, right);
+    expect_none(masked);
+    EXPECT_EQ(masked.compared_share, 0);
+    EXPECT_EQ(masked.edge_max_abs, 0);
+    EXPECT_EQ(why_untrusted(masked), "none of the 7 pixels that show an object are compared; left out: edge 7");
+    left.object_ids.assign(8, 0);
     right.object_ids.assign(8, 0);
-    const Metrics m = compare(left, right);
-    EXPECT_EQ(m.compared_pixels, 0U);
-    EXPECT_EQ(m.norms.rmse, 0);
-    EXPECT_EQ(m.differing_share, 0);
+    const Metrics background = compare(left, right);
+    expect_none(background);
+    EXPECT_TRUE(std::isnan(background.compared_share)) << "0 / 0";
+    EXPECT_EQ(why_untrusted(background), "neither picture shows an object");
 }
 
 TEST(Metrics, EveryRowReadsItsOwnMember) {
@@ -156,10 +226,16 @@ TEST(Metrics, EveryRowReadsItsOwnMember) {
     m.max_levels = 7;
     m.differing_share = 8;
     m.compared_pixels = 9;
-    m.silhouette_pixels = 10;
-    m.edge_pixels = 11;
-    m.jump_pixels = 12;
-    m.nonfinite_pixels = 13;
+    m.compared_share = 10;
+    m.silhouette_pixels = 11;
+    m.edge_pixels = 12;
+    m.jump_pixels = 13;
+    m.rounding_pixels = 14;
+    m.silhouette_max_abs = 15;
+    m.edge_max_abs = 16;
+    m.jump_max_abs = 17;
+    m.rounding_max_abs = 18;
+    m.nonfinite_pixels = 19;
     double expected = 0;
     for_each_metric(m, [&](const auto &metric, const auto &measured) {
         EXPECT_EQ(metric.value(measured), ++expected) << metric.name;
