@@ -5,8 +5,11 @@
 #include "measure/report/report_html.h"
 #include "measure/report/report_json.h"
 #include "measure/report/text.h"
+#include "measure/work_precision/findings.h"
 #include "tools/error_of.h"
 
+#include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -73,6 +76,83 @@ TEST(ReportJson, HoldsEveryRowAndReadsBack) {
         EXPECT_FALSE(json["runs"][0]["findings"][key].empty()) << key;
     }
     EXPECT_EQ(report_json(read_report_json(text, "a.json")), text);
+}
+
+/// Of which `compared` of 10 pixels count and the others are at edges; its errors are small.
+void mask(MeasuredRow &row, std::size_t compared) {
+    Metrics &total = row.errors->total;
+    total = Metrics{};
+    total.compared_pixels = compared;
+    total.edge_pixels = 10 - compared;
+    total.edge_max_abs = 0.5;
+    total.norms = {1e-9, 1e-9, 1e-9, 1e-9};
+    settle(total);
+    row.time = run_time({0.001, 0.001, 0.001, 0.001, 0.001}); // by far the fastest
+}
+
+/// Less than half of what is shown says too little: such rows are marked everywhere and recommended nowhere.
+TEST(Report, RowsOfWhichTooLittleIsComparedAreMarked) {
+    ReportRun run = ball_run();
+    WorkPrecision &m = run.measured;
+    std::vector<std::size_t> base;
+    for (std::size_t i = 0; i < m.rows.size(); ++i) {
+        if (is_base(m.rows[i]) && m.rows[i].plan.technique.model == Model::phong) {
+            base.push_back(i);
+        }
+    }
+    ASSERT_GE(base.size(), 3U);
+    mask(m.rows[base[0]], 0);
+    mask(m.rows[base[1]], 4);
+    mask(m.rows[base[2]], 5); // half is enough
+    EXPECT_EQ(marked_rows(m), 2U);
+    for (const ErrorNorm norm : error_norms) {
+        EXPECT_EQ(pareto_front(m, Model::phong, norm), (std::vector<std::size_t>{base[2]}));
+        EXPECT_EQ(cheapest(m, Model::phong, norm, 1e-5), base[2]);
+    }
+    const std::string text = report_json({run});
+    const auto json = nlohmann::json::parse(text)["runs"][0];
+    const auto &none = json["rows"][base[0]];
+    for (const char *key : {"rmse", "max_abs", "psnr", "max_levels", "differing_share", "jump_max_abs"}) {
+        EXPECT_TRUE(none["errors"][key].is_null()) << key;
+    }
+    EXPECT_EQ(none["errors"]["compared_share"], 0);
+    EXPECT_EQ(none["errors"]["edge_max_abs"], 0.5);
+    EXPECT_EQ(none["marked"], "none of the 10 pixels that show an object are compared; left out: edge 10");
+    EXPECT_EQ(json["rows"][base[1]]["errors"]["compared_share"], 0.4);
+    EXPECT_FALSE(json["rows"][base[1]]["marked"].is_null());
+    EXPECT_TRUE(json["rows"][base[2]]["marked"].is_null());
+    const auto again = read_report_json(text, "a.json");
+    EXPECT_EQ(report_json(again), text);
+    EXPECT_EQ(marked_rows(again[0].measured), 2U) << "null is read as nothing compared, not as no error";
+    EXPECT_NE(report_html({run}).find("none of the 10 pixels"), std::string::npos);
+    EXPECT_NE(report_html({run}).find("Rows of which less than half is compared"), std::string::npos);
+    std::istringstream lines(report_csv({run}));
+    std::string line;
+    std::getline(lines, line);
+    const auto head = cells_of(line);
+    for (std::size_t i = 0; i <= base[0]; ++i) {
+        std::getline(lines, line);
+    }
+    const auto cells = cells_of(line);
+    const auto cell = [&](const char *name) {
+        return cells[static_cast<std::size_t>(std::ranges::find(head, name) - head.begin())];
+    };
+    EXPECT_EQ(cell("rmse"), "") << "neither 0 nor inf";
+    EXPECT_EQ(cell("psnr"), "") << "not inf, as of identical pictures";
+    EXPECT_EQ(cell("compared_share"), "0");
+    EXPECT_EQ(cell("edge_max_abs"), "0.5");
+    EXPECT_EQ(cell("jump_max_abs"), "");
+    EXPECT_EQ(cell("pareto_rmse"), "0");
+    EXPECT_NE(cell("marked").find("none of the 10"), std::string::npos);
+}
+
+TEST(ReportJson, InfiniteErrorsReadBackAsInfinite) {
+    ReportRun run = ball_run();
+    Metrics &total = run.measured.rows[0].errors->total;
+    total.nonfinite_pixels = 1;
+    settle(total);
+    const auto again = read_report_json(report_json({run}), "a.json");
+    EXPECT_TRUE(std::isinf(again[0].measured.rows[0].errors->total.norms.rmse));
 }
 
 TEST(ReportJson, SeveralRunsStandSideBySide) {

@@ -58,6 +58,8 @@ TEST(ErrorTimePlot, LeavesOutVariantsOtherModelsAndWhatHasNoNumbers) {
     m.rows[2].time.reset();
     m.rows.push_back(row_of(0, Frequency::hybrid, 0.02, 3));
     m.rows.back().errors->total.nonfinite_pixels = 1;
+    m.rows.push_back(row_of(0, Frequency::flat, 0.02, 3));
+    m.rows.back().errors->total.compared_share = 0.49; // too little of its picture
     for (const PlotSeries &one : error_time_plot(m, Model::phong, ErrorNorm::rmse).series) {
         EXPECT_TRUE(one.points.empty()) << one.name;
     }

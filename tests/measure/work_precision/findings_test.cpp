@@ -105,6 +105,8 @@ TEST(Findings, ClaimsAreAnsweredFromTheNumbers) {
     EXPECT_EQ(claims[0].row, 1U);
     EXPECT_EQ(claims[0].against, 0U);
     EXPECT_EQ(claims[0].finding, "5 times the error, 10 % less time");
+    measured.rows[1].errors->total.compared_share = 0.4;
+    EXPECT_EQ(answer_claims(measured)[0].finding, "too little is compared to say, 10 % less time");
 }
 
 } // namespace
