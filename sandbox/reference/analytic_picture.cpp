@@ -93,7 +93,7 @@ class ShapeSampler : public Sampler {
         }
         const auto &colors = shape_.base.checker->colors;
         PixelMasks masks = Sampler::masks(doubts, glm::max(colors[0], colors[1]));
-        masks.jump = masks.jump || shows_base(glm::abs(colors[0] - colors[1]), reflect(Terms::all, here));
+        add_base_doubt(masks, glm::abs(colors[0] - colors[1]), reflect(Terms::all, here));
         return masks;
     }
 
@@ -166,7 +166,8 @@ class AnalyticPicture : public Picture {
                           .color = sampler.color(),
                           .edge = at_edge(seen, x + 0.5, y + 0.5),
                           .jump = masks.jump,
-                          .rounding = masks.rounding};
+                          .rounding = masks.rounding,
+                          .doubt = masks.doubt};
     }
 
   private:

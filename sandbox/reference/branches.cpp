@@ -286,13 +286,16 @@ PixelMasks Sampler::masks(const Doubts &doubts, const glm::dvec3 &base) const {
     const auto change = [&](const Reflected &part) {
         return largest(compose(object_.material, base, part) - object_.material.emission);
     };
-    return {change(doubts.jump) > negligible_jump, change(doubts.rounding) > negligible_noise};
+    const double jump = change(doubts.jump);
+    const double noise = change(doubts.rounding);
+    return {jump > negligible_jump, noise > negligible_noise, jump + noise};
 }
 
-bool Sampler::shows_base(const glm::dvec3 &difference, const Reflected &reflected) const {
-    return largest(difference * (reflected.body +
-                                 (object_.material.texture_modulates_specular ? reflected.highlight : glm::dvec3(0)))) >
-           negligible_jump;
+void Sampler::add_base_doubt(PixelMasks &masks, const glm::dvec3 &difference, const Reflected &reflected) const {
+    const glm::dvec3 tinted = object_.material.texture_modulates_specular ? reflected.highlight : glm::dvec3(0);
+    const double jump = largest(difference * (reflected.body + tinted));
+    masks.jump = masks.jump || jump > negligible_jump;
+    masks.doubt += jump;
 }
 
 } // namespace sandbox::reference

@@ -44,6 +44,7 @@ Doubts operator*(double weight, const Doubts &doubts);
 /// Why a pixel is left out of error figures.
 struct PixelMasks {
     bool jump = false, rounding = false;
+    double doubt = 0; ///< by how much a channel of the colour may differ, at most
 };
 
 /// An object's surface around one point. Keeps references to the setup and the object.
@@ -63,8 +64,8 @@ class Sampler {
     /// Which doubts show where the surface's own colour is `base`: a jump by more than 1e-6 of linear colour, a
     /// rounding by more than 1e-5.
     [[nodiscard]] PixelMasks masks(const Doubts &doubts, const glm::dvec3 &base) const;
-    /// Does a difference of the surface's own colour show in this light?
-    [[nodiscard]] bool shows_base(const glm::dvec3 &difference, const Reflected &reflected) const;
+    /// ... and a jump of the surface's own colour by `difference`, in this light.
+    void add_base_doubt(PixelMasks &masks, const glm::dvec3 &difference, const Reflected &reflected) const;
 
   protected:
     [[nodiscard]] bool keeps_normal_lengths() const { return setup_.technique.normals == Normals::unnormalized; }

@@ -211,7 +211,7 @@ PixelMasks Fragment::masks() const {
     }
     const auto &colors = mesh_.base.checker->colors;
     PixelMasks masks = Sampler::masks(doubts(), glm::max(colors[0], colors[1]));
-    masks.jump = masks.jump || shows_base(glm::abs(colors[0] - colors[1]), reflected());
+    add_base_doubt(masks, glm::abs(colors[0] - colors[1]), reflected());
     return masks;
 }
 

@@ -54,6 +54,7 @@ class MeshPicture : public Picture {
                           .edge = on_edge(hit, fragment),
                           .jump = masks.jump,
                           .rounding = masks.rounding,
+                          .doubt = masks.doubt,
                           .window_rounding = window_rounding(hit, x, y, fragment.color())};
     }
 

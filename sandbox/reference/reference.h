@@ -62,6 +62,7 @@ struct PixelProbe {
     bool edge = false;
     bool jump = false;
     bool rounding = false;
+    double doubt = 0; ///< by how much a channel may differ for these two reasons, at most
     /// How far the colour moves where the triangle moves in the window by 2^-22 of the picture's longer side, along
     /// each axis, as float32 may move it. Slivers and sharp highlights magnify that. 0 for an analytic surface.
     double window_rounding = 0;
