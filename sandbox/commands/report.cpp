@@ -122,9 +122,10 @@ void add_report(CLI::App &app, CommonOptions &common, Run &run) {
     command.footer(
         "Draws every frequency and model on a ladder of tessellations (8 to 512 rings; --quick 8 to 64) and variants\n"
         "on the scene's own meshes, judges each against the double-precision truth, and times all of them in\n"
-        "turns, after 4 rounds that are dropped. The clock is the GPU's timer if a long draw shows that it agrees\n"
-        "with the wall clock, else the wall clock around draw and glFinish. Ctrl-C stops the measuring and writes\n"
-        "what there is (exit code 130); a second Ctrl-C ends at once.");
+        "turns, after 4 rounds that are dropped. A row of which less than half is compared is marked and never\n"
+        "recommended. The clock is the GPU's timer if a long draw shows that it agrees with the wall clock, else the\n"
+        "wall clock around draw and glFinish. Ctrl-C stops the measuring and writes what there is (exit code 130); a\n"
+        "second Ctrl-C ends at once.");
     run_when_chosen(command, common, run, flags, run_report);
 }
 

@@ -123,7 +123,8 @@ class Branches {
             amount.diffuse = material.diffuse * light.color * (light.diffuse * reach);
         }
         if (adds_highlight()) {
-            amount.highlight = material.specular * light.color * (light.specular * f_power * reach);
+            const double scale = highlight_scale(setup_, object_.material.shininess);
+            amount.highlight = material.specular * light.color * (light.specular * f_power * reach * scale);
         }
         return amount;
     }

@@ -189,6 +189,12 @@ double raised_exponent(const Setup &setup, double shininess) {
     return reflection(setup.technique.model).scaled_exponent ? setup.blinn_exponent_scale * shininess : shininess;
 }
 
+double highlight_scale(const Setup &setup, double shininess) {
+    return setup.technique.normalisation == Normalisation::blinn_phong
+               ? (raised_exponent(setup, shininess) + 8) / (8 * std::numbers::pi)
+               : 1;
+}
+
 LightTerms light_terms(const Setup &setup, const LightSetup &light, const LightVectors &vectors, const glm::dvec3 &n,
                        const glm::dvec3 &v, double shininess) {
     const Technique &technique = setup.technique;
@@ -208,8 +214,8 @@ LightTerms light_terms(const Setup &setup, const LightSetup &light, const LightV
                     (light.light.diffuse * std::max(incidence, 0.0) * reach * (normalised ? std::numbers::inv_pi : 1));
     if (reflection(technique.model).specular) {
         specular_factor(setup, n, v, shininess, terms);
-        const double factor = (technique.gate == Gate::times_n_dot_l ? terms.n_dot_l : 1) *
-                              (normalised ? (terms.exponent + 8) / (8 * std::numbers::pi) : 1);
+        const double factor =
+            (technique.gate == Gate::times_n_dot_l ? terms.n_dot_l : 1) * highlight_scale(setup, shininess);
         terms.specular = light.light.color * (terms.gate ? light.light.specular * terms.f_power * reach * factor : 0);
     }
     return terms;

@@ -80,6 +80,8 @@ std::pair<glm::dvec3, glm::dvec3> highlight_vectors(Model model, const LightVect
                                                     const glm::dvec3 &v);
 /// The exponent: n, or n_B under Blinn-Phong.
 double raised_exponent(const Setup &setup, double shininess);
+/// What normalisation=blinn-phong multiplies S by; 1 without it.
+double highlight_scale(const Setup &setup, double shininess);
 
 /// Every intermediate of one light at one point. ambient, diffuse and specular are A_i, D_i, S_i: no material yet.
 struct LightTerms {

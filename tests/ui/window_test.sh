@@ -94,6 +94,11 @@ expect_other "a model by keyboard" "$opened"
 xdotool key ctrl+z
 expect_same "undo of a model" "$opened"
 
+xdotool key k
+expect_other "the masks" "$opened"
+xdotool key k
+expect_same "the pictures without masks" "$opened"
+
 drag 216 603 290 603 # the first light's diffuse
 expect_other "a slider" "$opened"
 settled >/dev/null
