@@ -5,6 +5,7 @@
 #include "reference/raster.h"
 #include "reference/surface.h"
 #include "scene/space.h"
+#include "shading/eye_space.h"
 
 #include <algorithm>
 #include <array>
@@ -21,6 +22,7 @@ constexpr int band_rows = 16;
 
 struct AnalyticObject {
     const Object *object = nullptr;
+    Setup setup; ///< the scene's, with the origin that OpenGL measures this object's positions from
     WorldTransform to_world;
     glm::dmat3 inverse{1};
     BaseColor base;
@@ -60,9 +62,8 @@ std::optional<ShapeHit> hit_object(const AnalyticObject &object, const Eye &eye,
 /// One shape around a pixel's centre.
 class ShapeSampler : public Sampler {
   public:
-    ShapeSampler(const Setup &setup, const AnalyticObject &shape, const Eye &eye, const ShapeHit &hit, double x,
-                 double y)
-        : Sampler(setup, *shape.object), shape_(shape), eye_(eye), hit_(hit), x_(x), y_(y) {}
+    ShapeSampler(const AnalyticObject &shape, const Eye &eye, const ShapeHit &hit, double x, double y)
+        : Sampler(shape.setup, *shape.object), shape_(shape), eye_(eye), hit_(hit), x_(x), y_(y) {}
 
     [[nodiscard]] ShapeHit hit_at(double dx, double dy) const {
         const auto hit = dx == 0 && dy == 0 ? hit_ : hit_object(shape_, eye_, eye_.direction(x_ + dx, y_ + dy));
@@ -104,12 +105,14 @@ class ShapeSampler : public Sampler {
     double x_, y_;
 };
 
-AnalyticObject prepare_object(const Setup &setup, const Object &object, const ObjectResources &resources) {
+AnalyticObject prepare_object(const Setup &setup, const Scene &scene, const Object &object,
+                              const ObjectResources &resources) {
     if (const auto *obj = std::get_if<ObjShape>(&object.mesh)) {
         throw InputError("{} is the mesh {}, which has no analytic surface", object.name, obj->path);
     }
-    AnalyticObject prepared{&object, world_transform(object.transform, setup), glm::dmat3(1),
+    AnalyticObject prepared{&object, setup, world_transform(object.transform, setup), glm::dmat3(1),
                             base_color(object, resources)};
+    prepared.setup.origin = eye_space(scene, object, *resources.mesh, setup.technique).lit_origin - setup.eye;
     const glm::dvec3 &scale = object.transform.scale;
     if (scale.x == 0 || scale.y == 0 || scale.z == 0) {
         throw InputError("{} is flattened by a scale of 0 and has no analytic surface", object.name);
@@ -130,7 +133,7 @@ class AnalyticPicture : public Picture {
                     Size size)
         : size_(size), setup_(prepare(scene, technique)), eye_(scene.camera, size) {
         for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-            objects_.push_back(prepare_object(setup_, scene.objects[i], resources[i]));
+            objects_.push_back(prepare_object(setup_, scene, scene.objects[i], resources[i]));
         }
     }
 
@@ -154,7 +157,7 @@ class AnalyticPicture : public Picture {
         if (seen.object == 0) {
             return {};
         }
-        const ShapeSampler sampler(setup_, objects_[seen.object - 1], eye_, seen.hit, x + 0.5, y + 0.5);
+        const ShapeSampler sampler(objects_[seen.object - 1], eye_, seen.hit, x + 0.5, y + 0.5);
         const SurfacePoint point = sampler.point_at(0, 0);
         const PixelMasks masks = sampler.masks();
         return PixelProbe{.object = seen.object - 1,
@@ -232,7 +235,7 @@ class AnalyticPicture : public Picture {
         if (seen.object == 0) {
             return;
         }
-        const ShapeSampler sampler(setup_, objects_[seen.object - 1], eye_, seen.hit, x + 0.5, y + 0.5);
+        const ShapeSampler sampler(objects_[seen.object - 1], eye_, seen.hit, x + 0.5, y + 0.5);
         frame.color[pixel] = sampler.color();
         frame.object_ids[pixel] = seen.object;
         frame.mark(pixel, sampler.masks());

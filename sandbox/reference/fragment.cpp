@@ -37,9 +37,10 @@ Side side_of(const Object &object, const Triangle &on_screen) {
 } // namespace
 
 Fragment::Fragment(const MeshScene &scene, const Hit &hit, double x, double y)
-    : Sampler(scene.setup, *scene.objects[hit.object - 1].object), mesh_(scene.objects[hit.object - 1]),
-      on_screen_(scene.raster[hit.object - 1].triangle(hit.triangle)), triangle_index_(hit.triangle),
-      triangle_(mesh_.mesh->triangles[hit.triangle]), side_(side_of(*mesh_.object, on_screen_)),
+    : Sampler(scene.objects[hit.object - 1].setup, *scene.objects[hit.object - 1].object),
+      mesh_(scene.objects[hit.object - 1]), on_screen_(scene.raster[hit.object - 1].triangle(hit.triangle)),
+      triangle_index_(hit.triangle), triangle_(mesh_.mesh->triangles[hit.triangle]),
+      side_(side_of(*mesh_.object, on_screen_)),
       lit_(mesh_.object->two_sided && side_ == Side::back ? mesh_.back : mesh_.front), x_(x), y_(y),
       here_(point_at(0, 0)) {}
 

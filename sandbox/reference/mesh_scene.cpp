@@ -1,6 +1,7 @@
 #include "reference/mesh_scene.h"
 
 #include "scene/space.h"
+#include "shading/eye_space.h"
 
 #include <algorithm>
 #include <glm/geometric.hpp>
@@ -69,10 +70,14 @@ void light_vertices(const Setup &setup, MeshObject &object, Terms terms) {
     });
 }
 
-MeshObject prepare_object(const Setup &setup, const Object &object, const ObjectResources &resources) {
+MeshObject prepare_object(const Setup &shared, const Scene &scene, const Object &object,
+                          const ObjectResources &resources) {
     MeshObject prepared;
     prepared.object = &object;
     prepared.mesh = resources.mesh.get();
+    prepared.setup = shared;
+    prepared.setup.origin = eye_space(scene, object, *resources.mesh, shared.technique).lit_origin - shared.eye;
+    const Setup &setup = prepared.setup;
     prepared.to_world = world_transform(object.transform, setup);
     prepared.base = base_color(object, resources);
     const std::size_t count = prepared.mesh->positions.size();
@@ -119,7 +124,7 @@ MeshScene prepare_meshes(const Scene &scene, const std::vector<ObjectResources> 
     MeshScene meshes;
     meshes.setup = prepare(scene, technique);
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-        meshes.objects.push_back(prepare_object(meshes.setup, scene.objects[i], resources[i]));
+        meshes.objects.push_back(prepare_object(meshes.setup, scene, scene.objects[i], resources[i]));
         meshes.raster.push_back(to_pixels(meshes.objects.back(), scene.camera, size));
     }
     return meshes;

@@ -22,6 +22,7 @@ struct Lit {
 struct MeshObject {
     const Object *object = nullptr;
     const Mesh *mesh = nullptr;
+    Setup setup; ///< the scene's, with the origin that OpenGL measures this object's positions from
     WorldTransform to_world;
     BaseColor base;
     std::vector<glm::dvec3> positions; ///< one per vertex, as lit, from the eye

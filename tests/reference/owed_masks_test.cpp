@@ -138,6 +138,19 @@ TEST(OwedMasks, NormalsThatCancelMatterWhereLightReadsThem) {
     EXPECT_EQ(count(cancelling_normals(scene, "per-pixel/phong", size).rounding), 0);
 }
 
+/// OpenGL lights an object that is far for its size in positions from the object's own middle, not from the eye.
+TEST(OwedMasks, ABallInATelescopeIsCompared) {
+    Scene scene = test::ball({1.2, 1.1, 1.4});
+    scene.camera = {{0, 0, 1e6}, {0, 0, 0}, {0, 1, 0}, 1.8e-4, 5e5, 2e6};
+    const Size size{65, 65};
+    for (const Surface surface : {Surface::mesh, Surface::analytic}) {
+        const ReferenceFrame frame = render(scene, technique("per-pixel/phong"), size, surface);
+        EXPECT_GT(std::count(frame.object_ids.begin(), frame.object_ids.end(), 1U), 1000);
+        EXPECT_EQ(count(frame.rounding), 0);
+        EXPECT_LT(count(frame.jump), 30);
+    }
+}
+
 TEST(OwedMasks, ADeepScenesDepthIsALogarithm) {
     Scene scene = test::ball({0, 3, 4});
     scene.objects.push_back(scene.objects[0]);
