@@ -55,7 +55,9 @@ void main()
     vec3 P = (ray_corner + gl_FragCoord.x * ray_right + gl_FragCoord.y * ray_up) / gl_FragCoord.w; // interpolation over so wide a surface loses digits
 #endif
 #if fragment.V
-#if viewer_infinite
+#if orthographic
+    vec3 V = view_direction;
+#elif viewer_infinite
     vec3 V = view_direction; // Fault: the same for every point.
 #else
     vec3 V = normalize(${fragment.to_eye});

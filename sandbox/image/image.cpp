@@ -11,6 +11,10 @@ double srgb_curve(double linear) {
     return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
 }
 
+double inverse_srgb_curve(double encoded) {
+    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
 std::uint8_t to_byte(double value, Display display) {
     const double clamped = std::clamp(value, 0.0, 1.0);
     const double curved = display == Display::srgb ? srgb_curve(clamped) : clamped;
@@ -28,6 +32,15 @@ Image from_bytes(Size size, const unsigned char *bytes, int channels) {
     for (glm::vec4 &pixel : image.pixels) {
         for (int channel = 0; channel < channels; ++channel) {
             pixel[channel] = static_cast<float>(*bytes++) / 255.0F;
+        }
+    }
+    return image;
+}
+
+Image decoded_srgb(Image image) {
+    for (glm::vec4 &pixel : image.pixels) {
+        for (int channel = 0; channel < 3; ++channel) {
+            pixel[channel] = static_cast<float>(inverse_srgb_curve(static_cast<double>(pixel[channel])));
         }
     }
     return image;

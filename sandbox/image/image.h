@@ -34,6 +34,9 @@ constexpr int max_image_side = 8192;
 /// An image from interleaved 8-bit values, 3 or 4 channels a pixel, row 0 at the top; each is divided by 255.
 Image from_bytes(Size size, const unsigned char *bytes, int channels);
 
+/// The light that sRGB numbers in [0, 1] encode (IEC 61966-2-1); alpha stays.
+Image decoded_srgb(Image image);
+
 /// 8-bit RGB, row 0 at the top: what a PNG holds.
 struct ByteImage {
     Size size;

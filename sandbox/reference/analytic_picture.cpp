@@ -37,26 +37,34 @@ struct Seen {
 /// Another object or another face: an outline or a crease runs between the two.
 bool differs(const Seen &a, const Seen &b) { return a.object != b.object || a.hit.part != b.hit.part; }
 
-/// Rays from the eye, scaled so that t is the distance along the camera's axis.
+/// Positions from the eye.
+struct Ray {
+    glm::dvec3 origin, direction;
+};
+
+/// Rays through the picture, scaled so that t is the distance along the camera's axis.
 struct Eye {
     CameraAxes axes;
-    double tan_x, tan_y;
+    bool orthographic;
+    double half_height; ///< of what is seen: at a distance of 1 or, if orthographic, at every distance
     Size size;
     double near, far;
 
     Eye(const Camera &camera, Size s)
-        : axes(camera_axes(camera)), tan_x(std::tan(camera.fov_y_degrees * std::acos(-1.0) / 360) * s.width / s.height),
-          tan_y(std::tan(camera.fov_y_degrees * std::acos(-1.0) / 360)), size(s), near(camera.near_plane),
-          far(camera.far_plane) {}
-    [[nodiscard]] glm::dvec3 direction(double x, double y) const {
-        return axes.forward + axes.right * ((2 * x / size.width - 1) * tan_x) +
-               axes.up * ((1 - 2 * y / size.height) * tan_y);
+        : axes(camera_axes(camera)), orthographic(is_orthographic(camera)),
+          half_height(orthographic ? camera.height / 2 : std::tan(camera.fov_y_degrees * std::acos(-1.0) / 360)),
+          size(s), near(camera.near_plane), far(camera.far_plane) {}
+    [[nodiscard]] Ray ray(double x, double y) const {
+        const double half_width = half_height * size.width / size.height;
+        const glm::dvec3 across = axes.right * ((2 * x / size.width - 1) * half_width);
+        const glm::dvec3 up = axes.up * ((1 - 2 * y / size.height) * half_height);
+        return orthographic ? Ray{across + up, axes.forward} : Ray{glm::dvec3(0), axes.forward + across + up};
     }
 };
 
-std::optional<ShapeHit> hit_object(const AnalyticObject &object, const Eye &eye, const glm::dvec3 &direction) {
-    return intersect(object.object->mesh, object.inverse * -object.to_world.offset, object.inverse * direction,
-                     eye.near, eye.far);
+std::optional<ShapeHit> hit_object(const AnalyticObject &object, const Eye &eye, const Ray &ray) {
+    return intersect(object.object->mesh, object.inverse * (ray.origin - object.to_world.offset),
+                     object.inverse * ray.direction, eye.near, eye.far);
 }
 
 /// One shape around a pixel's centre.
@@ -66,7 +74,7 @@ class ShapeSampler : public Sampler {
         : Sampler(shape.setup, *shape.object), shape_(shape), eye_(eye), hit_(hit), x_(x), y_(y) {}
 
     [[nodiscard]] ShapeHit hit_at(double dx, double dy) const {
-        const auto hit = dx == 0 && dy == 0 ? hit_ : hit_object(shape_, eye_, eye_.direction(x_ + dx, y_ + dy));
+        const auto hit = dx == 0 && dy == 0 ? hit_ : hit_object(shape_, eye_, eye_.ray(x_ + dx, y_ + dy));
         return hit && hit->part == hit_.part ? *hit : hit_;
     }
 
@@ -175,10 +183,10 @@ class AnalyticPicture : public Picture {
 
   private:
     [[nodiscard]] Seen see(double x, double y) const {
-        const glm::dvec3 direction = eye_.direction(x, y);
+        const Ray ray = eye_.ray(x, y);
         Seen seen;
         for (std::uint32_t i = 0; i < objects_.size(); ++i) {
-            const auto hit = hit_object(objects_[i], eye_, direction);
+            const auto hit = hit_object(objects_[i], eye_, ray);
             if (hit && (seen.object == 0 || hit->t < seen.hit.t)) {
                 seen = {i + 1, *hit};
             }

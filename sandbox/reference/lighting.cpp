@@ -132,6 +132,7 @@ Setup prepare(const Scene &scene, const Technique &technique) {
     setup.view_axis = -camera_axes(scene.camera).forward;
     setup.to_view = world_to_view_axes(scene.camera);
     setup.origin = technique.position == LightingPosition::absolute ? -setup.eye : glm::dvec3(0);
+    setup.orthographic = is_orthographic(scene.camera);
     setup.ambient = scene.ambient;
     setup.blinn_exponent_scale = scene.blinn_exponent_scale;
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
@@ -144,7 +145,7 @@ Setup prepare(const Scene &scene, const Technique &technique) {
 }
 
 glm::dvec3 view_vector(const Setup &setup, const glm::dvec3 &p) {
-    return setup.technique.viewer == Viewer::infinite ? setup.view_axis : unit(-p);
+    return setup.orthographic || setup.technique.viewer == Viewer::infinite ? setup.view_axis : unit(-p);
 }
 
 LightVectors light_vectors(const Setup &setup, const LightSetup &light, const glm::dvec3 &p, const glm::dvec3 &n,

@@ -52,8 +52,9 @@ struct Setup {
     glm::dvec3 eye{0};             ///< world space: what everything here is measured from
     glm::dvec3 view_axis{0, 0, 1}; ///< -camera forward
     glm::dmat3 to_view{1};         ///< from world axes to the camera's: right, up, back
-    glm::dvec3 origin{0}; ///< what positions are measured from in float32, from the eye: the world's origin under
-                          ///< position=absolute
+    glm::dvec3 origin{0};      ///< what positions are measured from in float32, from the eye: the world's origin under
+                               ///< position=absolute
+    bool orthographic = false; ///< V is the view axis at every point
     glm::dvec3 ambient{0};
     double blinn_exponent_scale = 1;
     std::vector<LightSetup> lights;
@@ -61,7 +62,7 @@ struct Setup {
 };
 Setup prepare(const Scene &scene, const Technique &technique);
 
-/// V at p, by the viewer key.
+/// V at p, by the viewer key and the camera.
 glm::dvec3 view_vector(const Setup &setup, const glm::dvec3 &p);
 
 /// The vectors of one light as the equation meets them: exact at a point, or as interpolated over a triangle.

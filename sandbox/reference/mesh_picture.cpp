@@ -15,8 +15,7 @@ class MeshPicture : public Picture {
     MeshPicture(const Scene &scene, const std::vector<ObjectResources> &resources, const Technique &technique,
                 Size size)
         : size_(size), meshes_(prepare_meshes(scene, resources, technique, size)),
-          rasteriser_(meshes_.raster, size, scene.camera.near_plane, scene.camera.far_plane,
-                      is_deep(scene, resources)) {}
+          rasteriser_(meshes_.raster, size, DepthRange(scene.camera, is_deep(scene, resources))) {}
 
     [[nodiscard]] std::size_t bands() const override { return rasteriser_.bands(); }
 

@@ -33,9 +33,13 @@ RasterObject to_pixels(const MeshObject &object, const Camera &camera, Size size
         raster.hidden = is_mirrored(transform) ? -1 : 1;
     }
     raster.corners.resize(object.mesh->positions.size());
+    raster.nearness.resize(is_orthographic(camera) ? raster.corners.size() : 0);
     for_pieces(raster.corners.size(), [&](std::size_t i) {
         const glm::dvec4 clip = projection * glm::dvec4(object.to_world.seen(object.mesh->positions[i]), 1);
         raster.corners[i] = {(clip.w + clip.x) * 0.5 * size.width, (clip.w - clip.y) * 0.5 * size.height, clip.w};
+        if (!raster.nearness.empty()) {
+            raster.nearness[i] = 0.5 - 0.5 * clip.z;
+        }
     });
     return raster;
 }

@@ -42,7 +42,8 @@ struct Edges {
     std::array<double, 3> reach{};  ///< the edge function's growth over edge_width
     double lowest = 0, highest = 0; ///< 1 / w over the corners, where all lie in front
 
-    explicit Edges(const Triangle &t) {
+    /// `nearness`: 1, or the corners' own.
+    Edges(const Triangle &t, const glm::dvec3 &nearness) {
         const auto &[a, b, c] = t;
         sign = orientation(t);
         for (std::size_t i = 0; i < 3; ++i) {
@@ -51,8 +52,9 @@ struct Edges {
             reach[i] = std::hypot(growth.x, growth.y) * edge_width;
         }
         const bool front = a.z > 0 && b.z > 0 && c.z > 0;
-        lowest = front ? 1 / std::max({a.z, b.z, c.z}) : 0;
-        highest = front ? 1 / std::min({a.z, b.z, c.z}) : std::numeric_limits<double>::infinity();
+        const glm::dvec3 n = nearness / glm::dvec3(a.z, b.z, c.z);
+        lowest = front ? std::min({n.x, n.y, n.z}) : 0;
+        highest = front ? std::max({n.x, n.y, n.z}) : std::numeric_limits<double>::infinity();
     }
 };
 
@@ -82,6 +84,13 @@ double orientation(const Triangle &t) {
     return volume > 0 ? 1 : (volume < 0 ? -1 : 0);
 }
 
+double DepthRange::resolution(double inverse_w, double highest) const {
+    // The logarithm's step is a share of the distance, but 1 / w is rounded as it is interpolated from the nearest
+    // corner.
+    return deep ? depth_resolution * std::log(far / near) * inverse_w + interpolation * std::min(highest, nearest())
+                : depth_resolution * nearest();
+}
+
 glm::dvec3 weights_at(const Triangle &triangle, double x, double y) {
     const auto [p, q, r] = shifted(triangle, x, y);
     const glm::dvec3 areas(edge(q, r), edge(r, p), edge(p, q));
@@ -100,8 +109,8 @@ bool near_edge(const Triangle &triangle, double x, double y) {
     return false;
 }
 
-Rasteriser::Rasteriser(const std::vector<RasterObject> &objects, Size size, double near, double far, bool deep)
-    : objects_(objects), size_(size), near_(near), far_(far), deep_(deep),
+Rasteriser::Rasteriser(const std::vector<RasterObject> &objects, Size size, const DepthRange &depth)
+    : objects_(objects), size_(size), depth_(depth),
       bins_(static_cast<std::size_t>((size.height + band_rows - 1) / band_rows)) {
     for (std::uint32_t object = 0; object < objects.size(); ++object) {
         for (std::uint32_t i = 0; i < objects[object].triangles->size(); ++i) {
@@ -120,7 +129,8 @@ int Rasteriser::first_row(std::size_t band) const { return static_cast<int>(band
 /// The pixels whose centres the part in front of the near plane may cover, or miss by less than edge_width.
 std::optional<Rasteriser::Box> Rasteriser::bounds(const Triangle &triangle) const {
     const auto [nearest, farthest] = std::minmax({triangle[0].z, triangle[1].z, triangle[2].z});
-    if (farthest < near_ || nearest > far_) {
+    const double plane = depth_.linear ? 0 : depth_.near; // corners of an orthographic camera need no cut
+    if (!depth_.linear && (farthest < depth_.near || nearest > depth_.far)) {
         return {};
     }
     constexpr double huge = std::numeric_limits<double>::infinity();
@@ -133,12 +143,12 @@ std::optional<Rasteriser::Box> Rasteriser::bounds(const Triangle &triangle) cons
     for (std::size_t i = 0; i < 3; ++i) {
         const Corner &p = triangle[i];
         const Corner &q = triangle[(i + 1) % 3];
-        if (p.z >= near_) {
+        if (p.z >= plane) {
             include(glm::dvec2(p) / p.z);
         }
-        if ((p.z < near_) != (q.z < near_)) {
-            const double t = (near_ - p.z) / (q.z - p.z);
-            include((glm::dvec2(p) + t * glm::dvec2(q - p)) / near_);
+        if ((p.z < plane) != (q.z < plane)) {
+            const double t = (plane - p.z) / (q.z - p.z);
+            include((glm::dvec2(p) + t * glm::dvec2(q - p)) / plane);
         }
     }
     // Centres lie at half pixels; the margin is edge_width and a little for rounding.
@@ -153,12 +163,6 @@ std::optional<Rasteriser::Box> Rasteriser::bounds(const Triangle &triangle) cons
 
 bool Rasteriser::beside_wins(const Hit &hit) const { return hit.beside > hit.inverse_w - hit.resolution; }
 
-/// The logarithm's step is a share of the distance, but 1 / w is rounded as it is interpolated from the nearest corner.
-double Rasteriser::resolution(double inverse_w, double highest) const {
-    return deep_ ? depth_resolution * std::log(far_ / near_) * inverse_w + interpolation * std::min(highest, 1 / near_)
-                 : depth_resolution / near_;
-}
-
 std::vector<Hit> Rasteriser::draw(std::size_t band) const {
     const int first = first_row(band);
     const int rows = std::min(band_rows, size_.height - first);
@@ -172,7 +176,12 @@ std::vector<Hit> Rasteriser::draw(std::size_t band) const {
 void Rasteriser::draw_triangle(const Entry &entry, int first_row, std::span<Hit> hits) const {
     const RasterObject &object = objects_[entry.object];
     const Triangle triangle = object.triangle(entry.triangle);
-    const Edges edges(triangle);
+    glm::dvec3 nearness(1);
+    if (depth_.linear) {
+        const glm::uvec3 &t = (*object.triangles)[entry.triangle];
+        nearness = {object.nearness[t.x], object.nearness[t.y], object.nearness[t.z]};
+    }
+    const Edges edges(triangle, nearness);
     const auto box = bounds(triangle);
     if (edges.sign == 0 || edges.sign == object.hidden || !box) {
         return;
@@ -189,14 +198,15 @@ void Rasteriser::draw_triangle(const Entry &entry, int first_row, std::span<Hit>
             const bool inside = (e[0] > 0 || (e[0] == 0 && edges.owned[0])) &&
                                 (e[1] > 0 || (e[1] == 0 && edges.owned[1])) &&
                                 (e[2] > 0 || (e[2] == 0 && edges.owned[2]));
-            const double inverse_w = (e[0] + e[1] + e[2]) / (e[0] * p[0].z + e[1] * p[1].z + e[2] * p[2].z);
+            const double inverse_w = (e[0] * nearness.x + e[1] * nearness.y + e[2] * nearness.z) /
+                                     (e[0] * p[0].z + e[1] * p[1].z + e[2] * p[2].z);
             Hit &hit = hits[static_cast<std::size_t>((row - first_row) * size_.width + column)];
             if (!inside) {
                 const double beside = std::clamp(inverse_w, edges.lowest, edges.highest);
-                hit.beside = std::max(hit.beside, beside <= 1 / near_ ? beside : 0);
-            } else if (inverse_w * near_ <= 1 && inverse_w * far_ >= 1) {
-                keep_nearer(
-                    hit, {entry.object + 1, entry.triangle, inverse_w, 0, false, resolution(inverse_w, edges.highest)});
+                hit.beside = std::max(hit.beside, beside <= depth_.nearest() ? beside : 0);
+            } else if (depth_.holds(inverse_w)) {
+                const double resolution = depth_.resolution(inverse_w, edges.highest);
+                keep_nearer(hit, {entry.object + 1, entry.triangle, inverse_w, 0, false, resolution});
             }
         }
     }

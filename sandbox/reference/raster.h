@@ -2,6 +2,7 @@
 
 #include "image/image.h"
 #include "scene/mesh.h"
+#include "scene/scene.h"
 
 #include <array>
 #include <cstdint>
@@ -20,7 +21,7 @@ namespace sandbox::reference {
 constexpr double edge_width = 1.0 / 128;
 
 /// A vertex in homogeneous pixels: (x w, y w, w) with x to the right, y down from the top-left corner, w the distance
-/// along the camera's axis (negative behind it).
+/// along the camera's axis (negative behind it); of an orthographic camera 1.
 using Corner = glm::dvec3;
 using Triangle = std::array<Corner, 3>;
 
@@ -31,6 +32,8 @@ struct RasterObject {
     /// Which triangles are skipped as the inside of a closed mesh: those whose corners run clockwise on the screen (1),
     /// counter-clockwise (-1), or none (0).
     int hidden = 0;
+    /// One per vertex, linear: 1 at near, 0 at far; of an orthographic camera, else empty.
+    std::vector<double> nearness{};
 
     [[nodiscard]] Triangle triangle(std::size_t index) const;
 };
@@ -39,7 +42,8 @@ struct RasterObject {
 struct Hit {
     std::uint32_t object = 0; ///< 0 background, i + 1 objects[i]
     std::uint32_t triangle = 0;
-    double inverse_w = 0;  ///< 1 / distance along the camera's axis; 0 for the background
+    double inverse_w =
+        0; ///< 1 / distance along the camera's axis; linear nearness under an orthographic camera; 0 for the background
     double beside = 0;     ///< the largest inverse_w of a triangle that misses the centre by less than edge_width
     bool tie = false;      ///< another triangle lies within float32 depth resolution: OpenGL may pick that one
     double resolution = 0; ///< two values of inverse_w that are nearer to each other may come out in either order
@@ -54,13 +58,31 @@ glm::dvec3 weights_at(const Triangle &triangle, double x, double y);
 /// True if the point lies within edge_width of one of the triangle's edges (the lines through its corners).
 bool near_edge(const Triangle &triangle, double x, double y);
 
+/// What of the axis is drawn, and how a depth buffer over it tells near from far.
+struct DepthRange {
+    double near, far;    ///< distances along the camera's axis, both inclusive
+    bool linear = false; ///< of an orthographic camera: depth is the distance itself, not its reciprocal
+    bool deep = false;   ///< OpenGL's depth is the logarithm of the distance
+
+    explicit DepthRange(const Camera &camera, bool is_deep = false)
+        : near(camera.near_plane), far(camera.far_plane), linear(is_orthographic(camera)), deep(is_deep) {}
+    DepthRange(double near_plane, double far_plane, bool is_deep = false)
+        : near(near_plane), far(far_plane), deep(is_deep) {}
+    /// The inverse_w of the near plane.
+    [[nodiscard]] double nearest() const { return linear ? 1 : 1 / near; }
+    [[nodiscard]] bool holds(double inverse_w) const {
+        return linear ? inverse_w >= 0 && inverse_w <= 1 : inverse_w * near <= 1 && inverse_w * far >= 1;
+    }
+    /// Hit::resolution at `inverse_w` on a triangle whose corners' is at most `highest`.
+    [[nodiscard]] double resolution(double inverse_w, double highest) const;
+};
+
 /// Draws in object order, then triangle order; the nearer wins, the first drawn on a tie. Edges follow the top-left
 /// rule, so that triangles that share an edge cover each pixel once.
 class Rasteriser {
   public:
-    /// near and far are distances along the camera's axis, both inclusive; `deep`: OpenGL's depth is the logarithm of
-    /// the distance. Keeps a reference to `objects`.
-    Rasteriser(const std::vector<RasterObject> &objects, Size size, double near, double far, bool deep = false);
+    /// Keeps a reference to `objects`.
+    Rasteriser(const std::vector<RasterObject> &objects, Size size, const DepthRange &depth);
 
     /// Rows are drawn in bands, each on its own (so bands may be drawn by any thread).
     [[nodiscard]] std::size_t bands() const { return bins_.size(); }
@@ -83,13 +105,10 @@ class Rasteriser {
     };
     [[nodiscard]] std::optional<Box> bounds(const Triangle &triangle) const;
     void draw_triangle(const Entry &entry, int first_row, std::span<Hit> hits) const;
-    /// Hit::resolution on a triangle whose corners' inverse_w is at most `highest`.
-    [[nodiscard]] double resolution(double inverse_w, double highest) const;
 
     const std::vector<RasterObject> &objects_;
     Size size_;
-    double near_, far_;
-    bool deep_;
+    DepthRange depth_;
     std::vector<std::vector<Entry>> bins_;
 };
 

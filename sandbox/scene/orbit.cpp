@@ -51,6 +51,12 @@ double kept_between_planes(const Camera &camera, double distance) {
     return std::clamp(distance, low, high);
 }
 
+/// Of what the picture shows there, world units.
+double height_at_target(const Camera &camera) {
+    const double distance = glm::length(camera.position - camera.target);
+    return is_orthographic(camera) ? camera.height : 2 * distance * std::tan(glm::radians(camera.fov_y_degrees) / 2);
+}
+
 } // namespace
 
 Camera orbit_camera(const Camera &camera, double degrees) {
@@ -104,6 +110,11 @@ Camera orbited(const Camera &camera, double azimuth_degrees, double elevation_de
 }
 
 Camera dollied(const Camera &camera, double factor) {
+    if (is_orthographic(camera) && factor > 0) {
+        Camera changed = camera;
+        changed.height = nearest_accepted(camera.height * factor, positive_length);
+        return changed;
+    }
     const glm::dvec3 offset = camera.position - camera.target;
     const double distance = glm::length(offset);
     if (!(distance > 0) || !(factor > 0)) {
@@ -114,11 +125,23 @@ Camera dollied(const Camera &camera, double factor) {
     return in_world(moved.position) ? moved : camera;
 }
 
+Camera with_projection(Camera camera, Projection projection) {
+    if (camera.projection == projection) {
+        return camera;
+    }
+    const double height = height_at_target(camera);
+    const double distance = glm::length(camera.position - camera.target);
+    camera.projection = projection;
+    camera.height = is_orthographic(camera) ? nearest_accepted(height, positive_length) : 0;
+    camera.fov_y_degrees = is_orthographic(camera)
+                               ? Camera{}.fov_y_degrees
+                               : nearest_accepted(glm::degrees(2 * std::atan2(0.5 * height, distance)), view_angle);
+    return camera;
+}
+
 Camera panned(Camera camera, double right, double up) {
     const CameraAxes axes = camera_axes(camera);
-    const double distance = glm::length(camera.position - camera.target);
-    const double picture_height = 2 * distance * std::tan(glm::radians(camera.fov_y_degrees) / 2);
-    const glm::dvec3 step = (axes.right * right + axes.up * up) * picture_height;
+    const glm::dvec3 step = (axes.right * right + axes.up * up) * height_at_target(camera);
     const bool inside = in_world(camera.position + step) && in_world(camera.target + step);
     if (inside) {
         camera.position += step;

@@ -25,9 +25,12 @@ Camera at_pose(Camera camera, OrbitPose pose);
 
 /// Turned by hand, by angles in degrees. Stops at the poles; a camera already beyond them (a plan view) may stay there.
 Camera orbited(const Camera &camera, double azimuth_degrees, double elevation_degrees);
-/// The distance to the target times `factor`.
+/// The distance to the target times `factor`; of an orthographic camera its height.
 Camera dollied(const Camera &camera, double factor);
 /// Camera and target moved across the picture, in picture heights at the target: right and up positive.
 Camera panned(Camera camera, double right, double up);
+
+/// The camera with the other projection, which shows as much at the target.
+Camera with_projection(Camera camera, Projection projection);
 
 } // namespace sandbox

@@ -89,11 +89,14 @@ std::vector<ObjectResources> Resources::load(const Scene &scene) {
         resources.mesh = mesh->second;
         const std::string &name = object.material.texture;
         if (!name.empty()) {
-            auto &texture = textures[name];
+            const std::pair key(name, object.material.texture_color_space);
+            auto &texture = textures[key];
             if (!texture) {
-                const auto kept = textures_.find(name);
+                const auto kept = textures_.find(key);
                 const auto load = [&] {
-                    return std::make_shared<const Image>(decode_image(read_named(assets_, name, texture_files), name));
+                    Image image = decode_image(read_named(assets_, name, texture_files), name);
+                    return std::make_shared<const Image>(key.second == ColorSpace::srgb ? decoded_srgb(std::move(image))
+                                                                                        : std::move(image));
                 };
                 texture = kept != textures_.end() ? kept->second : at_key(i, "material.texture", load);
             }

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace sandbox {
@@ -15,7 +16,7 @@ namespace sandbox {
 /// texture gives the same image until it is evicted.
 struct ObjectResources {
     std::shared_ptr<const Mesh> mesh;
-    std::shared_ptr<const Image> texture; ///< null: none
+    std::shared_ptr<const Image> texture; ///< linear light; null: none
 };
 
 /// Builds or reads the meshes and textures that scenes name, and keeps those that the latest scene uses.
@@ -33,7 +34,7 @@ class Resources {
     std::vector<std::pair<Shape, std::shared_ptr<const Mesh>>> meshes_;
     /// Meshes of earlier scenes that someone else still holds: going back and forth between scenes builds nothing anew.
     std::vector<std::pair<Shape, std::weak_ptr<const Mesh>>> earlier_meshes_;
-    std::map<std::string, std::shared_ptr<const Image>> textures_;
+    std::map<std::pair<std::string, ColorSpace>, std::shared_ptr<const Image>> textures_;
 };
 
 } // namespace sandbox

@@ -39,6 +39,8 @@ struct Light {
     bool operator==(const Light &) const = default;
 };
 
+enum class Projection { perspective, orthographic };
+
 struct Camera {
     glm::dvec3 position{0, 1, 6};
     glm::dvec3 target{0};
@@ -46,8 +48,13 @@ struct Camera {
     double fov_y_degrees = 45;
     double near_plane = 0.1;
     double far_plane = 100;
+    Projection projection = Projection::perspective;
+    double height = 0; ///< of what an orthographic picture shows, world units, fov_y_degrees at its default; else 0
     bool operator==(const Camera &) const = default;
 };
+
+constexpr bool is_orthographic(const Camera &camera) { return camera.projection == Projection::orthographic; }
+constexpr bool is_perspective(const Camera &camera) { return !is_orthographic(camera); }
 
 /// world = T Rz Ry Rx S p
 struct Transform {
@@ -103,6 +110,9 @@ struct Checker {
     bool operator==(const Checker &) const = default;
 };
 
+/// What a texture's numbers mean: light itself, or light encoded by the sRGB curve.
+enum class ColorSpace { linear, srgb };
+
 struct Material {
     glm::dvec3 ambient{1};
     glm::dvec3 diffuse{1};
@@ -112,6 +122,7 @@ struct Material {
     std::string texture; ///< empty: none; a built-in name, or an absolute path once read
     bool texture_modulates_specular = true;
     std::optional<Checker> checker; ///< excludes texture
+    ColorSpace texture_color_space = ColorSpace::linear;
     bool operator==(const Material &) const = default;
 };
 

@@ -4,6 +4,7 @@
 #include "scene/scene.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <string_view>
 #include <tuple>
@@ -103,7 +104,8 @@ constexpr Field<T, M> control(std::string_view key, M T::*member, Range range, s
 }
 
 constexpr bool has_checker(const Material &material) { return material.checker.has_value(); }
-constexpr bool has_surface_colors(const Material &m) { return m.checker || !m.texture.empty(); }
+constexpr bool has_texture(const Material &material) { return !material.texture.empty(); }
+constexpr bool has_surface_colors(const Material &m) { return m.checker || has_texture(m); }
 
 template <class... Fields> struct Format {
     std::string_view name; ///< as messages call it
@@ -114,6 +116,13 @@ template <class... Fields>
 constexpr Format<Fields...> format(std::string_view name, std::string_view doc, Fields... fields) {
     return {name, doc, {fields...}};
 }
+
+/// The words of an enumeration 0, 1, ... in the file.
+template <class E> inline constexpr auto words_of = nullptr;
+template <> inline constexpr std::array<std::string_view, 2> words_of<Projection>{"perspective", "orthographic"};
+template <> inline constexpr std::array<std::string_view, 2> words_of<ColorSpace>{"linear", "srgb"};
+template <class E>
+concept HasWords = !std::is_null_pointer_v<std::remove_cv_t<decltype(words_of<E>)>>;
 
 /// The table of every struct that is a JSON object in the file.
 template <class T> inline constexpr auto format_of = nullptr;
@@ -156,12 +165,18 @@ inline constexpr auto format_of<Light> = format(
 
 template <>
 inline constexpr auto format_of<Camera> = format(
-    "camera", "Where the scene is seen from (perspective).",
+    "camera", "Where the scene is seen from.",
     field("position", &Camera::position, coordinate, "The eye, in world space."),
     field("target", &Camera::target, coordinate, "What it looks at; not the eye itself."),
     field("up", &Camera::up, direction, "Which way is up in the picture."),
+    field("projection", &Camera::projection, any,
+          "orthographic: what is far looks as large as what is near, and V is the same at every point."),
     control("fov_y_degrees", &Camera::fov_y_degrees, view_angle,
-            "The vertical field of view; the window widens that of a narrow picture.", {.label = "field of view"}),
+            "The vertical field of view of a perspective camera; the window widens that of a narrow picture.",
+            {.used = is_perspective, .label = "field of view"}),
+    control("height", &Camera::height, positive_length,
+            "How much of the world an orthographic picture shows from its bottom to its top; the wheel changes it.",
+            {.needed = is_orthographic, .used = is_orthographic}),
     field("near", &Camera::near_plane, clip_distance, "Nothing nearer is drawn, in world units."),
     field("far", &Camera::far_plane, clip_distance, "Nothing farther is drawn; above near."));
 
@@ -234,6 +249,9 @@ inline constexpr auto format_of<Material> = format(
             {.term = Term::highlight, .label = "shininess n"}),
     field("texture", &Material::texture, any,
           "A PNG or JPEG file, relative to the scene file; a bare name may be a built-in texture."),
+    control("texture_color_space", &Material::texture_color_space, any,
+            "linear: the texture's numbers are light; srgb: they are decoded by the sRGB curve, as photographs need.",
+            {.used = has_texture, .label = "texture's numbers"}),
     control("texture_modulates_specular", &Material::texture_modulates_specular, any,
             "The texture (or checker) colours the highlight, too.",
             {.used = has_surface_colors, .term = Term::highlight, .label = "surface colours the highlight"}),

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <ranges>
 #include <vector>
 
 namespace sandbox {
@@ -107,10 +108,10 @@ class Reader {
         }
     }
 
-    static std::string light_type_list() {
+    static std::string one_of(const auto &words) {
         std::string list;
-        for (const LightKind &kind : light_kinds) {
-            list += fmt::format("{}\"{}\"", list.empty() ? "one of " : ", ", kind.word);
+        for (const std::string_view word : words) {
+            list += fmt::format("{}\"{}\"", list.empty() ? "one of " : ", ", word);
         }
         return list;
     }
@@ -137,8 +138,14 @@ class Reader {
     }
     void read(const Json &json, const std::string &path, const Range &, LightType &out) const {
         const auto *kind = std::ranges::find_if(light_kinds, [&](const LightKind &k) { return json == k.word; });
-        expect(kind != light_kinds.end(), path, light_type_list(), json);
+        expect(kind != light_kinds.end(), path, one_of(light_kinds | std::views::transform(&LightKind::word)), json);
         out = kind->type;
+    }
+    template <class E>
+    void read(const Json &json, const std::string &path, const Range &, E &out) const requires HasWords<E> {
+        const auto found = std::ranges::find_if(words_of<E>, [&](std::string_view word) { return json == word; });
+        expect(found != words_of<E>.end(), path, one_of(words_of<E>), json);
+        out = static_cast<E>(found - words_of<E>.begin());
     }
     template <int N>
     void read(const Json &json, const std::string &path, const Range &range, glm::vec<N, double> &out) const {
@@ -229,6 +236,12 @@ class Reader {
         }
         if (camera.target == camera.position) {
             refuse(below(path, "target"), "expected a point other than the camera's position");
+        }
+        if (is_orthographic(camera) && json.contains("fov_y_degrees")) {
+            refuse(below(path, "fov_y_degrees"), "expected height in its place beside projection orthographic");
+        }
+        if (is_perspective(camera) && json.contains("height")) {
+            refuse(below(path, "height"), "expected fov_y_degrees in its place beside projection perspective");
         }
     }
     void finish(const Json &, const std::string &path, Material &material) const {

@@ -51,6 +51,13 @@ OrderedJson type_of(LightType, const Range &) {
     }
     return {{"enum", words}};
 }
+template <class E> OrderedJson type_of(const E &value, const Range &) requires HasWords<E> {
+    OrderedJson words = OrderedJson::array();
+    for (const std::string_view word : words_of<E>) {
+        words.push_back(std::string(word));
+    }
+    return {{"enum", words}, {"default", words[static_cast<std::size_t>(value)]}};
+}
 template <int N> OrderedJson type_of(const glm::vec<N, double> &value, const Range &range) {
     OrderedJson json = array_of(number("number", range), N, N);
     for (int i = 0; i < N; ++i) {
@@ -116,6 +123,17 @@ OrderedJson light_schema() {
     return json;
 }
 
+/// The two projections say in their own words how much they show.
+OrderedJson camera_schema() {
+    OrderedJson json = object_schema<Camera>();
+    json["properties"]["height"].erase("default");
+    json["if"] = {{"properties", {{"projection", {{"const", "orthographic"}}}}},
+                  {"required", OrderedJson::array({"projection"})}};
+    json["then"] = {{"required", OrderedJson::array({"height"})}, {"properties", {{"fov_y_degrees", false}}}};
+    json["else"] = {{"properties", {{"height", false}}}};
+    return json;
+}
+
 OrderedJson mesh_schema() {
     OrderedJson json;
     for_each_shape([&]<class S>(std::type_identity<S>) {
@@ -140,7 +158,8 @@ std::string scene_schema() {
     json.update(object_schema<Scene>());
     json["properties"]["$schema"] = {{"type", "string"}, {"description", "For editors; ignored."}};
     OrderedJson &definitions = json["definitions"];
-    define<Camera, Attenuation, Object, Transform, Material, Checker, View>(definitions);
+    define<Attenuation, Object, Transform, Material, Checker, View>(definitions);
+    definitions["camera"] = camera_schema();
     definitions["light"] = light_schema();
     definitions["mesh"] = mesh_schema();
     return print_json(json);

@@ -1,6 +1,7 @@
 #include "scene/scene_setting.h"
 
 #include "image/error.h"
+#include "scene/orbit.h"
 #include "scene/scene_read.h"
 #include "scene/scene_write.h"
 #include "scene/suggest.h"
@@ -32,6 +33,9 @@ class Setting {
         if ((key == "texture" || key == "obj") && value.is_string()) {
             value = resolve_path(value.get<std::string>(), folder);
         }
+        if (key == "projection" && at->is_string() && *at != value) {
+            keep_size(*parent);
+        }
         if (key == "shape" || key == "obj") { // another shape has other keys
             *parent = Json::object({{key, std::move(value)}});
         } else {
@@ -43,6 +47,26 @@ class Setting {
     std::string_view path_;
     std::string_view rest_; ///< of the path
     std::string label_;
+
+    /// The other projection says in another key how much it shows; what is seen at the target stays.
+    static void keep_size(Json &camera) {
+        const bool perspective = camera.contains("fov_y_degrees");
+        Camera before;
+        try {
+            for (int i = 0; i < 3; ++i) {
+                before.position[i] = camera.at("position").at(static_cast<std::size_t>(i)).get<double>();
+                before.target[i] = camera.at("target").at(static_cast<std::size_t>(i)).get<double>();
+            }
+            before.projection = perspective ? Projection::perspective : Projection::orthographic;
+            (perspective ? before.fov_y_degrees : before.height) =
+                camera.at(perspective ? "fov_y_degrees" : "height").get<double>();
+        } catch (const Json::exception &) {
+            return; // the reader says what is wrong
+        }
+        const Camera after = with_projection(before, perspective ? Projection::orthographic : Projection::perspective);
+        camera.erase(perspective ? "fov_y_degrees" : "height");
+        camera[perspective ? "height" : "fov_y_degrees"] = perspective ? after.height : after.fov_y_degrees;
+    }
 
     [[noreturn]] void refuse(const std::string &what) const { throw InputError("{}: {}", label_, what); }
 

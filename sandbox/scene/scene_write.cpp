@@ -36,12 +36,18 @@ class Writer {
         return key == "inner_cutoff_degrees" ? std::optional(light.inner_cutoff_degrees != light.cutoff_degrees)
                                              : std::nullopt;
     }
+    static std::optional<bool> special(const Camera &camera, std::string_view key) {
+        return key == (is_orthographic(camera) ? "fov_y_degrees" : "height") ? std::optional(false) : std::nullopt;
+    }
     static std::optional<bool> special(const Material &material, std::string_view key) {
         return key == "checker" ? std::optional(material.checker.has_value()) : std::nullopt;
     }
 
     template <class T> static OrderedJson write(const T &value) { return value; }
     static OrderedJson write(LightType value) { return std::string(kind_of(value).word); }
+    template <class E> static OrderedJson write(const E &value) requires HasWords<E> {
+        return std::string(words_of<E>[static_cast<std::size_t>(value)]);
+    }
     template <int N> static OrderedJson write(const glm::vec<N, double> &value) {
         OrderedJson json = OrderedJson::array();
         for (int i = 0; i < N; ++i) {

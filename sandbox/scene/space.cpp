@@ -37,6 +37,15 @@ glm::dvec3 unit(glm::dvec3 v) {
     return largest > 0 ? glm::normalize(v / largest) : glm::dvec3(0);
 }
 
+/// Along the camera's axis, of any corner of the box around the transformed mesh.
+double least_depth(const Camera &camera, const Transform &transform, const Bounds &bounds) {
+    const glm::dmat3 linear = linear_part(transform);
+    const glm::dvec3 forward = camera_axes(camera).forward;
+    const glm::dvec3 half = 0.5 * (bounds.high - bounds.low);
+    const glm::dvec3 middle = linear * (0.5 * (bounds.low + bounds.high)) + (transform.translate - camera.position);
+    return glm::dot(forward, middle) - glm::dot(glm::abs(forward * linear), half);
+}
+
 } // namespace
 
 double distance_to_bounds(const Transform &transform, const Bounds &bounds, const glm::dvec3 &point) {
@@ -55,11 +64,16 @@ bool is_mirrored(const Transform &transform) {
 }
 
 bool back_faces_hidden(const Camera &camera, double aspect, const Transform &transform, const Mesh &mesh) {
+    const glm::dvec3 &scale = transform.scale;
+    if (!mesh.closed || scale.x == 0 || scale.y == 0 || scale.z == 0) {
+        return false;
+    }
+    if (is_orthographic(camera)) {
+        return least_depth(camera, transform, mesh.bounds) > camera.near_plane;
+    }
     const double half_height = std::tan(glm::radians(camera.fov_y_degrees / 2));
     const double near_corner = std::hypot(1, half_height, half_height * aspect) * camera.near_plane;
-    const glm::dvec3 &scale = transform.scale;
-    return mesh.closed && scale.x != 0 && scale.y != 0 && scale.z != 0 &&
-           distance_to_bounds(transform, mesh.bounds, camera.position) > near_corner;
+    return distance_to_bounds(transform, mesh.bounds, camera.position) > near_corner;
 }
 
 glm::dmat3 linear_part(const Transform &transform) {
@@ -106,8 +120,26 @@ glm::dmat3 world_to_view_axes(const Camera &camera) {
     return glm::transpose(glm::dmat3(axes.right, axes.up, -axes.forward));
 }
 
+namespace {
+
+glm::dmat4 orthographic_projection(const Camera &camera, const CameraAxes &axes, double aspect) {
+    const double depth = camera.far_plane - camera.near_plane;
+    const glm::dvec3 x = axes.right * (2 / (camera.height * aspect));
+    const glm::dvec3 y = axes.up * (2 / camera.height);
+    const glm::dvec3 z = axes.forward * (2 / depth);
+    return {{x.x, y.x, z.x, 0},
+            {x.y, y.y, z.y, 0},
+            {x.z, y.z, z.z, 0},
+            {0, 0, -(camera.far_plane + camera.near_plane) / depth, 1}};
+}
+
+} // namespace
+
 glm::dmat4 view_projection(const Camera &camera, double aspect) {
     const CameraAxes axes = camera_axes(camera);
+    if (is_orthographic(camera)) {
+        return orthographic_projection(camera, axes, aspect);
+    }
     const double focal = 1 / std::tan(camera.fov_y_degrees * (std::numbers::pi / 360));
     const double near = camera.near_plane;
     const double depth = camera.far_plane - near;

@@ -24,7 +24,7 @@ double distance_to_bounds(const Transform &transform, const Bounds &bounds, cons
 bool is_mirrored(const Transform &transform);
 
 /// Can no back face of the object be seen? True of a closed mesh that is neither flattened nor so near to the eye that
-/// the near plane's corners may reach into the box around it.
+/// the near plane's corners (of an orthographic camera: the near plane) may reach into the box around it.
 bool back_faces_hidden(const Camera &camera, double aspect, const Transform &transform, const Mesh &mesh);
 
 /// Unit vectors of a camera in world space; `right`, `up` and `forward` are orthonormal.

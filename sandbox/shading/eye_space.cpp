@@ -121,18 +121,20 @@ bool is_afar(const Scene &scene, const Object &object, const Mesh &mesh) {
 bool is_wide(const Scene &scene, const Object &object, const Mesh &mesh) {
     const auto [center, radius] = bounding_ball(object, mesh);
     const double distance = glm::length(center - scene.camera.position) - radius;
-    return radius > 1e4 * std::max(distance, scene.camera.near_plane);
+    return is_perspective(scene.camera) && radius > 1e4 * std::max(distance, scene.camera.near_plane);
 }
 
 bool is_deep(const Scene &scene, const std::vector<ObjectResources> &resources) {
     const Camera &camera = scene.camera;
     bool deep = is_deep(camera);
-    for (std::size_t i = 0; i < scene.objects.size() && !deep; ++i) {
+    for (std::size_t i = 0; i < scene.objects.size() && !deep && is_perspective(camera); ++i) {
         deep = reach_of(camera, scene.objects[i], *resources[i].mesh) >= deep_range * camera.near_plane;
     }
     return deep;
 }
 
-bool is_deep(const Camera &camera) { return camera.far_plane >= deep_range * camera.near_plane; }
+bool is_deep(const Camera &camera) {
+    return is_perspective(camera) && camera.far_plane >= deep_range * camera.near_plane;
+}
 
 } // namespace sandbox

@@ -50,7 +50,8 @@ glm::dmat4 model_view_projection(const Scene &scene, const EyeSpace &space, doub
 
 /// far / near from which a float32 depth buffer no longer tells surfaces apart by z / w (its step at `far` is then a
 /// tenth of the distance): the logarithm of the distance is stored instead, by all objects or none. So far off a vertex
-/// beyond `far` loses the same digits of z, and interpolation spreads the loss over its triangle.
+/// beyond `far` loses the same digits of z, and interpolation spreads the loss over its triangle. Never of an
+/// orthographic camera, whose depth is linear.
 constexpr double deep_range = 1e6;
 bool is_deep(const Camera &camera);
 bool is_deep(const Scene &scene, const std::vector<ObjectResources> &resources);
@@ -60,7 +61,8 @@ bool is_deep(const Scene &scene, const std::vector<ObjectResources> &resources);
 bool is_afar(const Scene &scene, const Object &object, const Mesh &mesh);
 
 /// Is the object so much larger than its distance (1e4 times) that positions interpolated over it lose the digits that
-/// count near the eye? They are found from the pixel and the depth instead.
+/// count near the eye? They are found from the pixel and the depth instead (which a perspective camera alone has digits
+/// for).
 bool is_wide(const Scene &scene, const Object &object, const Mesh &mesh);
 
 } // namespace sandbox

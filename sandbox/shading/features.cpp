@@ -264,8 +264,13 @@ double raised_exponent(const Scene &scene, Model model, const Material &material
     return (reflection(model).scaled_exponent ? scene.blinn_exponent_scale : 1) * material.shininess;
 }
 
-Features derive_features(const Scene &scene, const Technique &technique, const Object &object, const Mesh &mesh,
+Features derive_features(const Scene &scene, const Technique &given, const Object &object, const Mesh &mesh,
                          const ObjectLights &lights, const EyeSpace &space) {
+    Technique technique = given;
+    const bool orthographic = is_orthographic(scene.camera);
+    if (orthographic) {
+        technique.viewer = Viewer::infinite;
+    }
     Features f;
     f.technique = without_effectless_values(technique, scene, object);
     f.technique.program = Program::specialised; // till the end: see mirrors_view()
@@ -288,6 +293,7 @@ Features derive_features(const Scene &scene, const Technique &technique, const O
         f.wide = f.wide && needs.fragment.P;
         f.afar = space.afar && needs.vertex.P;
     }
+    f.orthographic = orthographic && f.technique.viewer == Viewer::infinite;
     return f;
 }
 

@@ -56,10 +56,11 @@ struct Features {
     bool guard_normal = false;        ///< interpolated normals may cancel to 0
     bool guard_vertex_normal = false; ///< the transform may leave nothing of a normal, or nothing float32 can square
     Exponent exponent = Exponent::zero;
-    bool two_sided = false; ///< N is turned; technique.facing says where
-    bool afar = false;      ///< positions are measured from the object's middle, not from the eye
-    bool wide = false;      ///< positions are found from the pixel, not interpolated
-    bool deep = false;      ///< depth is stored as a logarithm
+    bool two_sided = false;    ///< N is turned; technique.facing says where
+    bool orthographic = false; ///< that technique.viewer is infinite is no fault
+    bool afar = false;         ///< positions are measured from the object's middle, not from the eye
+    bool wide = false;         ///< positions are found from the pixel, not interpolated
+    bool deep = false;         ///< depth is stored as a logarithm
     bool object_ids = false;
     auto operator<=>(const Features &) const = default; // NOLINT(modernize-use-nullptr): version 14 errs
 

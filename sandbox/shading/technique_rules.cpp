@@ -99,6 +99,9 @@ bool has_directional_diffuse(const Scene &scene, const Object &object, const Tec
 }
 
 bool reads_view(const Scene &scene, const Object &object, const Technique &technique) {
+    if (is_orthographic(scene.camera)) {
+        return false; // V is the same at every point anyhow
+    }
     const bool constant_highlight = reflection(technique.model).half_vector &&
                                     technique.half_vector == HalfVector::constant &&
                                     technique.gate != Gate::view_facing;

@@ -337,6 +337,7 @@ void add_program(TemplateValues &values, const Features &f, const ProgramNeeds &
          {"emission", f.emission},
          {"object_ids", f.object_ids},
          {"deep", f.deep},
+         {"orthographic", f.orthographic},
          {"wide", f.wide}});
     values.texts.insert({{"flat", needs.attributes.flat ? "flat " : ""},
                          {"H", full ? "reflection" : "H"}, // a full program interpolates the one that it needs

@@ -174,7 +174,7 @@ TEST(OwedMasks, TheStepOfALogarithmicDepthIsAShareOfTheDistance) {
             return reference::RasterObject{{low, {30 * w, -10 * w, w}, {-10 * w, 30 * w, w}}, &one, 0};
         };
         const std::vector<reference::RasterObject> objects{facing(distance), facing(distance * (1 + apart))};
-        return reference::Rasteriser(objects, {3, 3}, near, far, true).draw(0)[4].tie;
+        return reference::Rasteriser(objects, {3, 3}, {near, far, true}).draw(0)[4].tie;
     };
     // 4e-7 of the depth range is 4e-7 ln(far / near) of the distance; interpolating 1 / w adds 2^-22 of it.
     for (const double distance : {1e-3, 1.0, 1e4}) {

@@ -15,7 +15,7 @@ struct Triangles {
 
     void add(Corner a, Corner b, Corner c) { objects.push_back({{a, b, c}, &triangle, false}); }
     [[nodiscard]] std::vector<Hit> draw(Size size, double near = 0.1, double far = 1000) const {
-        const Rasteriser rasteriser(objects, size, near, far);
+        const Rasteriser rasteriser(objects, size, {near, far});
         std::vector<Hit> all;
         for (std::size_t band = 0; band < rasteriser.bands(); ++band) {
             const std::vector<Hit> hits = rasteriser.draw(band);
@@ -134,7 +134,7 @@ TEST(Raster, ANearerNeighbourThatJustMissesIsTold) {
     Triangles t;
     t.add(pixel(-10, -10, 5), pixel(60, -10, 5), pixel(-10, 60, 5));
     t.add(pixel(2.5 + 0.005, -10, 3), pixel(9, -10, 3), pixel(2.5 + 0.005, 30, 3)); // left edge just right of centre 2
-    const Rasteriser rasteriser(t.objects, {8, 2}, 0.1, 100);
+    const Rasteriser rasteriser(t.objects, {8, 2}, {0.1, 100});
     const std::vector<Hit> hits = rasteriser.draw(0);
     EXPECT_EQ(hits[2].object, 1U);
     EXPECT_TRUE(rasteriser.beside_wins(hits[2]));

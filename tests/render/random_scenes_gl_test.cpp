@@ -120,9 +120,19 @@ TEST_F(RandomScenes, DrawWhatTheTruthDraws) {
 
 /// Nothing but a highlight is left for hybrid to compute, on a texture that must not tint it.
 TEST_F(RandomScenes, AHighlightAloneUnderHybridIsNotTinted) {
-    const Scene scene = as_the_driver_can(random_scene(51));
-    expect_truth(scene, parse_technique("hybrid/blinn-phong"), "random scene 51, hybrid/blinn-phong");
-    expect_truth(scene, parse_technique("hybrid/phong"), "random scene 51, hybrid/phong");
+    Scene scene;
+    scene.objects = {{"ball", SphereShape{1.5, 16, 24}, {}, {}, false}};
+    scene.objects[0].material.texture = "marble.png";
+    scene.objects[0].material.texture_modulates_specular = false;
+    scene.lights.resize(2);
+    scene.lights[0].position = {3, 3, 3};
+    scene.lights[1].position = {-3, 2, 4};
+    for (Light &light : scene.lights) {
+        light.diffuse = 0;
+    }
+    scene = as_the_driver_can(scene);
+    expect_truth(scene, parse_technique("hybrid/blinn-phong"), "a highlight alone, hybrid/blinn-phong");
+    expect_truth(scene, parse_technique("hybrid/phong"), "a highlight alone, hybrid/phong");
 }
 
 } // namespace

@@ -163,5 +163,32 @@ TEST(Orbit, TurnsAboutTheCamerasOwnUpWhateverItsLength) {
     expect_at(orbit_camera(camera, 90).position, {1, 7, 3});
 }
 
+TEST(Orthographic, TheWheelChangesTheHeightAndNothingElse) {
+    const Camera camera = with_projection(Camera{}, Projection::orthographic);
+    Camera expected = camera;
+    expected.height *= 0.5;
+    EXPECT_EQ(dollied(camera, 0.5), expected);
+    EXPECT_EQ(dollied(camera, 0).height, camera.height);
+    EXPECT_EQ(dollied(camera, 1e300).height, 1e9) << "the file's range holds";
+}
+
+TEST(Orthographic, APanFollowsThePicture) {
+    Camera camera{.position = {0, 0, 6}};
+    camera.projection = Projection::orthographic;
+    camera.height = 4;
+    EXPECT_EQ(panned(camera, 0.25, 0).target, glm::dvec3(1, 0, 0));
+}
+
+TEST(Orthographic, TheOtherProjectionShowsAsMuchAtTheTarget) {
+    const Camera perspective{.position = {0, 0, 6}, .fov_y_degrees = 90};
+    const Camera orthographic = with_projection(perspective, Projection::orthographic);
+    EXPECT_NEAR(orthographic.height, 12, 1e-12);
+    EXPECT_EQ(orthographic.fov_y_degrees, Camera{}.fov_y_degrees);
+    const Camera back = with_projection(orthographic, Projection::perspective);
+    EXPECT_NEAR(back.fov_y_degrees, 90, 1e-12);
+    EXPECT_EQ(back.height, 0);
+    EXPECT_EQ(with_projection(perspective, Projection::perspective), perspective);
+}
+
 } // namespace
 } // namespace sandbox

@@ -1,6 +1,7 @@
 #include "scene/resources.h"
 #include "tools/error_of.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace sandbox {
@@ -95,6 +96,36 @@ TEST(Assets, KnowNothingElse) {
     EXPECT_FALSE(Assets("assets", std::filesystem::path(SOURCE_DIR) / "assets").read("scenes"));
     EXPECT_EQ(error_of([] { const Assets missing("assets", "/no/such/folder"); }),
               "--assets /no/such/folder: expected a folder");
+}
+
+/// IEC 61966-2-1, for the same file in the same scene.
+TEST(Resources, ATextureIsDecodedWhereItsNumbersAreSrgb) {
+    Resources resources(Assets("assets"));
+    Scene scene = scene_of({object(BoxShape{}, "wood.png"), object(BoxShape{}, "wood.png")});
+    scene.objects[1].material.texture_color_space = ColorSpace::srgb;
+    const auto loaded = resources.load(scene);
+    ASSERT_NE(loaded[0].texture, loaded[1].texture);
+    for (std::size_t i = 0; i < loaded[0].texture->pixels.size(); i += 97) {
+        const glm::vec4 &encoded = loaded[0].texture->pixels[i];
+        const glm::vec4 &light = loaded[1].texture->pixels[i];
+        for (int c = 0; c < 3; ++c) {
+            const double expected = std::pow((encoded[c] + 0.055) / 1.055, 2.4);
+            EXPECT_NEAR(light[c], encoded[c] > 0.04045F ? expected : encoded[c] / 12.92, 1e-7);
+        }
+        EXPECT_EQ(light.a, encoded.a);
+    }
+    EXPECT_EQ(resources.load(scene)[1].texture, loaded[1].texture) << "kept from one load to the next";
+}
+
+TEST(Srgb, DecodingUndoesTheDisplaysCurve) {
+    Image image({256, 1});
+    for (int i = 0; i < 256; ++i) {
+        image.at(i, 0) = glm::vec4(static_cast<float>(i) / 255.0F);
+    }
+    const ByteImage shown = to_display(decoded_srgb(image), Display::srgb);
+    for (std::size_t i = 0; i < 256; ++i) {
+        EXPECT_EQ(shown.rgb[3 * i], i);
+    }
 }
 
 } // namespace

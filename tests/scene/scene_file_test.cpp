@@ -1,6 +1,7 @@
 #include "scene/scene_file.h"
 
 #include "image/image_file.h"
+#include "scene/orbit.h"
 #include "scene/resources.h"
 #include "tools/error_of.h"
 
@@ -34,8 +35,9 @@ glm::dvec3 vector(std::mt19937 &random, double low, double high) {
 }
 
 Camera random_camera(std::mt19937 &random) {
-    return {vector(random, -1e9, 1e9), vector(random, -1, 1),    vector(random, 0.1, 1),
-            digits(random, 1e-9, 179), digits(random, 1e-12, 1), digits(random, 2, 1e15)};
+    Camera camera{vector(random, -1e9, 1e9), vector(random, -1, 1),    vector(random, 0.1, 1),
+                  digits(random, 1e-9, 179), digits(random, 1e-12, 1), digits(random, 2, 1e15)};
+    return random() % 2 == 0 ? camera : with_projection(camera, Projection::orthographic);
 }
 
 /// Every key of every table at a value that is not its default.
@@ -81,7 +83,8 @@ Scene full_scene(unsigned seed) {
                           digits(random, 0, 1e7),
                           "/a/b.png",
                           false,
-                          {}};
+                          {},
+                          ColorSpace::srgb};
         if (scene.objects.size() % 2 == 0) {
             material.texture = "";
             material.checker = Checker{3, {vector(random, 0, 1), vector(random, 0, 1)}};

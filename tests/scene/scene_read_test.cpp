@@ -112,6 +112,12 @@ TEST(SceneErrors, NumbersOutOfRange) {
               "a.json: blinn_exponent_scale: expected a number <= 16, got 16.5");
     EXPECT_EQ(error(R"({"camera": {"fov_y_degrees": 180}})"),
               "a.json: camera.fov_y_degrees: expected a number <= 179, got 180");
+    EXPECT_EQ(error(R"({"camera": {"projection": "orthographic"}})"),
+              "a.json: camera.height: missing; expected a number");
+    EXPECT_EQ(error(R"({"camera": {"projection": "orthographic", "height": 0}})"),
+              "a.json: camera.height: expected a number > 0, got 0");
+    EXPECT_EQ(error(R"({"camera": {"projection": "orthographic", "height": 2, "fov_y_degrees": 45}})"),
+              "a.json: camera.fov_y_degrees: expected height in its place beside projection orthographic");
     EXPECT_EQ(error(R"({"camera": {"near": 0}})"), "a.json: camera.near: expected a number > 0, got 0");
     EXPECT_EQ(error(R"({"background": [0, 0, -1]})"), "a.json: background[2]: expected a number >= 0, got -1");
     EXPECT_EQ(material_error(R"("shininess": 10000001)"), "material.shininess: expected a number <= 1e7, got 10000001");
@@ -168,7 +174,7 @@ TEST(SceneErrors, UnknownKeysWithTheNearestKnown) {
               "attenuation.weight: unknown key of this attenuation; expected one of constant, linear, quadratic");
     EXPECT_EQ(error(R"({"ligths": []})"), "a.json: ligths: unknown key of this scene; did you mean \"lights\"?");
     EXPECT_EQ(material_error(R"("shine": 3)"), "material.shine: unknown key of this material; expected one of ambient, "
-                                               "diffuse, specular, emission, shininess, texture, "
+                                               "diffuse, specular, emission, shininess, texture, texture_color_space, "
                                                "texture_modulates_specular, checker");
     EXPECT_EQ(object_error(R"({"shape": "box", "radius": 1})"),
               "mesh.radius: unknown key of this box; expected one of shape, size, divisions");

@@ -34,6 +34,9 @@ class Validator {
     const Json &root_;
 
     [[nodiscard]] bool accepts(const Json &schema, const Json &value) const {
+        if (schema.is_boolean()) {
+            return schema.get<bool>();
+        }
         return std::ranges::all_of(schema.items(),
                                    [&](const auto &item) { return obeys(schema, item.key(), item.value(), value); });
     }
@@ -62,7 +65,8 @@ class Validator {
             return std::ranges::count_if(rule, accepted) == 1;
         }
         if (word == "if") {
-            return !accepts(rule, value) || accepts(schema.at("then"), value);
+            const char *const branch = accepts(rule, value) ? "then" : "else";
+            return !schema.contains(branch) || accepts(schema.at(branch), value);
         }
         if (value.is_number() && (word == "minimum" || word == "maximum" || word == "exclusiveMinimum")) {
             const double number = value.get<double>();
@@ -88,13 +92,10 @@ class Validator {
             return std::ranges::all_of(value.items(),
                                        [&](const auto &item) { return schema.at("properties").contains(item.key()); });
         }
-        static const std::vector<std::string> elsewhere{"$schema",          "title",
-                                                        "description",      "default",
-                                                        "definitions",      "then",
-                                                        "minimum",          "maximum",
-                                                        "exclusiveMinimum", "minItems",
-                                                        "maxItems",         "required",
-                                                        "properties",       "additionalProperties"};
+        static const std::vector<std::string> elsewhere{
+            "$schema",  "title",    "description", "default",    "definitions",
+            "then",     "else",     "minimum",     "maximum",    "exclusiveMinimum",
+            "minItems", "maxItems", "required",    "properties", "additionalProperties"};
         EXPECT_NE(std::ranges::find(elsewhere, word), elsewhere.end()) << word;
         return true;
     }
@@ -121,15 +122,31 @@ TEST(SceneSchema, AcceptsTheBuiltInScenes) {
 TEST(SceneSchema, RefusesWhatTheReaderRefuses) {
     const Json schema = Json::parse(scene_schema());
     for (const char *text :
-         {R"([])", R"({"x": 1})", R"({"name": 1})", R"({"background": [0, 0]})", R"({"background": [0, 0, -1]})",
-          R"({"blinn_exponent_scale": 0})", R"({"lights": [{}]})", R"({"lights": [{"type": "point"}]})",
-          R"({"lights": [{"type": "directional"}]})", R"({"lights": [{"type": "lamp"}]})",
+         {R"([])",
+          R"({"x": 1})",
+          R"({"name": 1})",
+          R"({"background": [0, 0]})",
+          R"({"background": [0, 0, -1]})",
+          R"({"blinn_exponent_scale": 0})",
+          R"({"lights": [{}]})",
+          R"({"lights": [{"type": "point"}]})",
+          R"({"lights": [{"type": "directional"}]})",
+          R"({"lights": [{"type": "lamp"}]})",
           R"({"lights": [{"type": "spot", "position": [0, 0, 0], "direction": [0, 0, 1], "cutoff_degrees": 91}]})",
-          R"({"objects": [{}]})", R"({"objects": [{"mesh": {}}]})", R"({"objects": [{"mesh": {"shape": "ball"}}]})",
+          R"({"objects": [{}]})",
+          R"({"objects": [{"mesh": {}}]})",
+          R"({"objects": [{"mesh": {"shape": "ball"}}]})",
           R"({"objects": [{"mesh": {"shape": "box", "radius": 1}}]})",
           R"({"objects": [{"mesh": {"shape": "sphere", "rings": 1}}]})",
           R"({"objects": [{"mesh": {"shape": "sphere", "rings": 2.5}}]})",
-          R"({"objects": [{"mesh": {"shape": "box"}, "two_sided": 1}]})", R"({"views": [{"name": "a"}]})"}) {
+          R"({"objects": [{"mesh": {"shape": "box"}, "two_sided": 1}]})",
+          R"({"views": [{"name": "a"}]})",
+          R"({"camera": {"projection": "isometric"}})",
+          R"({"camera": {"projection": "orthographic"}})",
+          R"({"camera": {"projection": "orthographic", "height": 0}})",
+          R"({"camera": {"height": 2}})",
+          R"({"camera": {"projection": "orthographic", "height": 2, "fov_y_degrees": 45}})",
+          R"({"objects": [{"mesh": {"shape": "box"}, "material": {"texture_color_space": "sRGB"}}]})"}) {
         EXPECT_THROW(parse_scene(text, "a.json", {}), std::runtime_error) << text;
         EXPECT_FALSE(Validator(schema).accepts(Json::parse(text))) << text;
     }

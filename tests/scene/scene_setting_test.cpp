@@ -1,7 +1,9 @@
 #include "scene/scene_setting.h"
 #include "tools/error_of.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
 
 namespace sandbox {
 namespace {
@@ -98,6 +100,23 @@ TEST(Setting, RefusesPathsThatLeadNowhere) {
 
 TEST(Setting, NamesBrokenJson) {
     EXPECT_TRUE(error("background=[1, 2").starts_with("--set background:1:")) << error("background=[1, 2");
+}
+
+TEST(Setting, TheOtherProjectionShowsAsMuchAtTheTarget) {
+    const Scene flat = with_setting(two_lights(), "camera.projection=orthographic");
+    EXPECT_EQ(flat.camera.projection, Projection::orthographic);
+    EXPECT_NEAR(flat.camera.height, 2 * std::sqrt(37.0) * std::tan(22.5 * std::numbers::pi / 180), 1e-12);
+    EXPECT_EQ(with_setting(flat, "camera.height=3").camera.height, 3);
+    EXPECT_NEAR(with_setting(flat, "camera.projection=perspective").camera.fov_y_degrees, 45, 1e-12);
+    EXPECT_EQ(with_setting(flat, "camera.projection=orthographic"), flat);
+    EXPECT_EQ(error("camera.height=3"),
+              "--set: camera.height: expected fov_y_degrees in its place beside projection perspective");
+    EXPECT_EQ(error("camera.projection=isometric"),
+              "--set: camera.projection: expected one of \"perspective\", \"orthographic\", got \"isometric\"");
+    EXPECT_EQ(with_setting(two_lights(), "objects[0].material.texture_color_space=srgb")
+                  .objects[0]
+                  .material.texture_color_space,
+              ColorSpace::srgb);
 }
 
 } // namespace

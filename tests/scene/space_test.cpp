@@ -85,5 +85,32 @@ TEST(ViewProjection, TurnsWithTheCamera) {
     EXPECT_NEAR(p.y / p.w, 0.5, rounding);
 }
 
+TEST(ViewProjection, OrthographicIsLinearAlongEveryAxis) {
+    Camera camera{.position = {7, 8, 9}, .target = {7, 8, 8}, .near_plane = 1, .far_plane = 3};
+    camera.projection = Projection::orthographic;
+    camera.height = 4;
+    const glm::dmat4 clip = view_projection(camera, 1.5);
+    const glm::dvec4 corner = clip * glm::dvec4(3, 2, -1, 1); // from the eye: the upper right corner of the near plane
+    const glm::dvec4 middle = clip * glm::dvec4(0, 0, -2, 1);
+    for (int i = 0; i < 4; ++i) {
+        EXPECT_NEAR(corner[i], (glm::dvec4(1, 1, -1, 1)[i]), 1e-15);
+        EXPECT_NEAR(middle[i], (glm::dvec4(0, 0, 0, 1)[i]), 1e-15);
+    }
+    EXPECT_NEAR((clip * glm::dvec4(0, -2, -3, 1)).z, 1, 1e-15);
+}
+
+TEST(BackFaces, AnOrthographicCameraHidesThemBehindItsNearPlane) {
+    const Mesh ball = build_mesh(SphereShape{});
+    Camera camera{.position = {0, 0, 5}, .near_plane = 0.1};
+    camera.projection = Projection::orthographic;
+    camera.height = 400; // however much it shows
+    EXPECT_TRUE(back_faces_hidden(camera, 2, {}, ball));
+    camera.near_plane = 3.9;
+    EXPECT_TRUE(back_faces_hidden(camera, 2, {}, ball));
+    camera.near_plane = 4.1;
+    EXPECT_FALSE(back_faces_hidden(camera, 2, {}, ball));
+    EXPECT_FALSE(back_faces_hidden(camera, 2, {.rotate_degrees = {10, 20, 30}, .scale = {1, 1, 2}}, ball));
+}
+
 } // namespace
 } // namespace sandbox

@@ -122,6 +122,23 @@ TEST(ProgramText, GuardsOfExtremeScenesAreThereOnlyWhereTheyAreNeeded) {
     EXPECT_FALSE(has(text_of(scene, "per-vertex/phong"), "ray_corner"));
 }
 
+TEST(ProgramText, AnOrthographicCameraGivesOneVAndNoFault) {
+    Scene scene = named("point");
+    const std::string lambert = text_of(scene, "per-pixel/lambert");
+    scene.camera.projection = Projection::orthographic;
+    scene.camera.height = 3;
+    for (const char *technique : {"per-pixel/phong", "per-vertex/blinn-phong", "interpolated-vectors/phong"}) {
+        const std::string text = text_of(scene, technique);
+        EXPECT_TRUE(has(text, "vec3 V = view_direction;")) << technique;
+        EXPECT_FALSE(has(text, "Fault")) << technique;
+        EXPECT_EQ(text, text_of(scene, std::string(technique) + ":viewer=infinite"));
+    }
+    EXPECT_EQ(text_of(scene, "per-pixel/lambert"), lambert) << "no V is read";
+    scene.objects[0].mesh = PlaneShape{{1e6, 1e6}, 1};
+    EXPECT_FALSE(has(text_of(scene, "per-pixel/phong"), "ray_corner"))
+        << "rays from the eye are a perspective camera's";
+}
+
 TEST(ProgramText, AnOrdinarySceneIsTheTextbooksProgramToTheLetter) {
     for (const std::string &name : builtin_scenes(Assets("assets"))) {
         const Scene scene = open_scene(name, Assets("assets"));

@@ -1,5 +1,8 @@
 #include "tools/random_scene.h"
 
+#include "scene/mesh.h"
+#include "scene/orbit.h"
+
 #include <array>
 #include <glm/geometric.hpp>
 #include <random>
@@ -29,7 +32,7 @@ class Dice {
 };
 
 Shape random_shape(Dice &dice) {
-    switch (dice.below(5)) {
+    switch (dice.below(6)) {
     case 0:
         return SphereShape{dice.between(0.6, 1.2), 8 + dice.below(12), 12 + dice.below(16)};
     case 1:
@@ -39,6 +42,8 @@ Shape random_shape(Dice &dice) {
     case 3:
         return CylinderShape{dice.between(0.3, 0.8), dice.between(0.5, 2), 12 + dice.below(20), 1 + dice.below(4),
                              !dice.one_in(3)};
+    case 4:
+        return ObjShape{TEST_DATA_DIR "/lighting/far-and-near-uvs.obj"}; // open, and its texture repeats far away
     default:
         return TorusShape{dice.between(0.7, 1), dice.between(0.2, 0.45), 16 + dice.below(16), 10 + dice.below(10)};
     }
@@ -111,14 +116,20 @@ Scene random_scene(unsigned seed) {
     scene.name = "random " + std::to_string(seed);
     scene.camera.position = glm::normalize(dice.vector(-1, 1) + glm::dvec3(0, 0.3, 0)) * dice.between(4, 7);
     scene.camera.target = dice.vector(-0.3, 0.3);
+    if (dice.one_in(4)) {
+        scene.camera = with_projection(scene.camera, Projection::orthographic);
+    }
     scene.ambient = dice.one_in(2) ? dice.vector(0, 0.2) : glm::dvec3(0);
     scene.blinn_exponent_scale = dice.one_in(3) ? 4 : 1;
     for (int i = dice.below(4); i >= 0; --i) {
         scene.lights.push_back(random_light(dice));
     }
     for (int i = dice.below(3); i >= 0; --i) {
-        Object object{"object " + std::to_string(i), random_shape(dice), random_transform(dice), random_material(dice),
-                      dice.one_in(3)};
+        const Shape shape = random_shape(dice);
+        const bool closed = !std::holds_alternative<ObjShape>(shape) && build_mesh(shape).closed;
+        Object object{"object " + std::to_string(i), shape, random_transform(dice), random_material(dice),
+                      closed ? dice.one_in(3) : !dice.one_in(3)};
+        object.material.texture_color_space = dice.one_in(2) ? ColorSpace::srgb : ColorSpace::linear;
         scene.objects.push_back(object);
     }
     return scene;

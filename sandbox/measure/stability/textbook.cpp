@@ -103,7 +103,8 @@ class TextbookScene {
         };
         const glm::vec3 p = blend(world.positions);
         glm::vec3 n = glm::normalize(blend(world.normals));
-        const glm::vec3 v = glm::normalize(eye_ - p);
+        const bool parallel = is_orthographic(scene_.camera);
+        const glm::vec3 v = parallel ? -glm::vec3(camera_axes(scene_.camera).forward) : glm::normalize(eye_ - p);
         n = object.two_sided && back ? -n : n;
         const double scale = reflection(model_).scaled_exponent ? scene_.blinn_exponent_scale : 1;
         const auto shininess = static_cast<float>(scale * object.material.shininess);
@@ -126,7 +127,7 @@ class TextbookScene {
 Frame textbook_picture(const Scene &scene, const std::vector<ObjectResources> &resources, const Technique &technique,
                        Size size) {
     const MeshScene meshes = reference::prepare_meshes(scene, resources, Technique{}, size);
-    const reference::Rasteriser rasteriser(meshes.raster, size, scene.camera.near_plane, scene.camera.far_plane);
+    const reference::Rasteriser rasteriser(meshes.raster, size, reference::DepthRange(scene.camera));
     const TextbookScene textbook(scene, resources, technique.model);
     Frame frame;
     frame.color = Image(size, glm::vec4(glm::vec3(scene.background), 1));

@@ -3,6 +3,8 @@
 #include "ui/widgets/property_rows.h"
 
 #include <imgui.h>
+#include <string>
+#include <vector>
 
 namespace sandbox {
 
@@ -40,10 +42,20 @@ void orbit_rows(Session &session) {
                            pose.elevation_degrees, opened.elevation_degrees);
     changed |= control_row(session,
                            {"distance, units", distance_range,
-                            "To the target; the wheel over the picture moves the camera closer or away."},
+                            "To the target; the wheel over the picture moves a perspective camera closer or away."},
                            pose.distance, opened.distance);
     if (changed) {
         camera = at_pose(camera, pose);
+    }
+}
+
+void projection_choice(Session &session) {
+    Camera &camera = session.document.scene.camera;
+    const std::vector<std::string> names(words_of<Projection>.begin(), words_of<Projection>.end());
+    auto chosen = static_cast<std::size_t>(camera.projection);
+    if (choice_row(session, "projection", names, chosen,
+                   "Orthographic: nothing looks smaller far away, and V is the same at every point.")) {
+        camera = with_projection(camera, static_cast<Projection>(chosen));
     }
 }
 
@@ -66,6 +78,7 @@ void display_choice(Session &session) {
 void camera_panel(Session &session) {
     named_views(session);
     orbit_rows(session);
+    projection_choice(session);
     property_rows(session, session.document.scene.camera, session.document.opened->scene.camera);
     heading("Display");
     control_row(session,

@@ -1,5 +1,7 @@
 #include "ui/session/document.h"
 
+#include "scene/scene_format.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/trigonometric.hpp>
@@ -19,7 +21,9 @@ Document document_of(std::string name, const Scene &scene, const Technique &left
 Scene scene_in_view(const Document &document, Size view) {
     Scene seen = document.scene;
     const double aspect = static_cast<double>(view.width) / view.height;
-    if (aspect < document.least_aspect) {
+    if (aspect < document.least_aspect && is_orthographic(seen.camera)) {
+        seen.camera.height = nearest_accepted(seen.camera.height * document.least_aspect / aspect, positive_length);
+    } else if (aspect < document.least_aspect) {
         const double half = glm::radians(seen.camera.fov_y_degrees) / 2;
         const double widened = 2 * std::atan(std::tan(half) * document.least_aspect / aspect);
         seen.camera.fov_y_degrees = std::min(glm::degrees(widened), 179.0);

@@ -4,7 +4,9 @@
 #include "ui/widgets/widgets.h"
 
 #include <fmt/format.h>
+#include <string>
 #include <type_traits>
+#include <vector>
 
 namespace sandbox {
 
@@ -22,6 +24,13 @@ template <class T> void property_rows(Session &session, T &value, const T &opene
         if constexpr (HasFormat<Member>) {
             heading(field.rules.label);
             property_rows(session, value.*field.member, opened.*field.member);
+        } else if constexpr (HasWords<Member>) {
+            const std::vector<std::string> names(words_of<Member>.begin(), words_of<Member>.end());
+            auto chosen = static_cast<std::size_t>(value.*field.member);
+            if (choice_row(session, std::string(field.rules.label).c_str(), names, chosen,
+                           std::string(field.doc).c_str())) {
+                value.*field.member = static_cast<Member>(chosen);
+            }
         } else if constexpr (requires(Row row, Member & member) { control_row(session, row, member, member); }) {
             const std::string_view comma = field.range.unit.empty() ? "" : ", ";
             const Row row{fmt::format("{}{}{}", field.rules.label, comma, field.range.unit), field.range,

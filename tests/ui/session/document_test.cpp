@@ -124,5 +124,13 @@ TEST(CaptureFiles, SideBySideHoldsBothViews) {
     EXPECT_EQ(picture_options(session, {300, 200}).size, (Size{300, 200}));
 }
 
+TEST(Document, NarrowViewsOfAnOrthographicCameraShowMoreOfTheWorld) {
+    Document document = document_of("a", {}, {}, {});
+    document.scene.camera.projection = Projection::orthographic;
+    document.scene.camera.height = 3;
+    EXPECT_EQ(scene_in_view(document, {1200, 1000}).camera.height, 3);
+    EXPECT_NEAR(scene_in_view(document, {600, 1000}).camera.height, 6, 1e-12) << "as wide as at an aspect of 1.2";
+}
+
 } // namespace
 } // namespace sandbox
