@@ -60,7 +60,9 @@ void add_stability(CLI::App &app, CommonOptions &common, Run &run) {
         "double-precision reference. Exit code 1 if this program breaks a bound. A case is a JSON file such as\n"
         "  {\"group\": \"spot\", \"symptom\": \"...\", \"cause\": \"...\", \"source\": \"...\",\n"
         "   \"scene\": \"spot-light\", \"set\": [\"lights[0].cutoff_degrees=0.1\"], \"bound\": 0.004}\n"
-        "with, if need be, techniques, textbook (a technique) and unit (\"brightest value\").");
+        "with, if need be, techniques, textbook (a technique that shows the damage; float32 on the processor\n"
+        "without one), textbook_target (\"half\": kept in half floats), unit (\"brightest value\") and seen_on:\n"
+        "where the damage was seen. Cases in which nothing breaks on this renderer stand in a list of their own.");
     run_when_chosen(command, common, run, flags, run_stability);
 }
 

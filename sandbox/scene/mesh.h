@@ -22,6 +22,9 @@ struct Mesh {
     std::vector<glm::dvec3> normals;
     std::vector<glm::dvec2> uvs;
     std::vector<glm::uvec3> triangles;
+    /// As a reader without guards has them, where that differs: the file's own, neither unit nor mended, or sums of
+    /// face normals with those of triangles without area. As many as `positions`, or none: as `normals`.
+    std::vector<glm::vec3> file_normals;
     bool closed = false; ///< encloses a volume: its back faces cannot be seen from outside
     // All are set by summarise():
     Bounds bounds;

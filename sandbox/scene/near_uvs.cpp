@@ -49,6 +49,9 @@ class Splitter {
         if (added) {
             split_.positions.push_back(mesh_.positions[v]);
             split_.normals.push_back(mesh_.normals[v]);
+            if (!mesh_.file_normals.empty()) {
+                split_.file_normals.push_back(mesh_.file_normals[v]);
+            }
             split_.uvs.push_back(uv);
         }
         return found->second;

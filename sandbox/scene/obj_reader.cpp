@@ -41,7 +41,8 @@ class ObjReader {
                 const glm::dvec3 uv = read_vector(1, 1e9);
                 uvs_.emplace_back(uv.x, uv.y);
             } else if (keyword == "vn") {
-                normals_.push_back(unit(read_vector(3, 1e300)));
+                file_normals_.push_back(read_vector(3, 1e300));
+                normals_.push_back(unit(file_normals_.back()));
             } else if (keyword == "f") {
                 read_face();
             } else if (keyword == "mtllib") {
@@ -60,7 +61,8 @@ class ObjReader {
     std::string_view text_, line_;
     std::string name_;
     std::size_t line_number_ = 0;
-    std::vector<glm::dvec3> positions_, normals_;
+    std::vector<glm::dvec3> positions_, normals_, file_normals_;
+    std::vector<std::array<std::uint32_t, 3>> flat_; ///< triangles without area, which are dropped, by position
     std::vector<glm::dvec2> uvs_;
     std::map<Corner, std::uint32_t> vertices_;
     std::vector<Corner> corners_; ///< of each vertex of the mesh
@@ -191,6 +193,7 @@ class ObjReader {
 
     void add_triangle(const Corner &a, const Corner &b, const Corner &c) {
         if (area_vector(a, b, c) == glm::dvec3(0)) {
+            flat_.push_back({a[0], b[0], c[0]});
             return;
         }
         const glm::uvec3 triangle{vertex(a), vertex(b), vertex(c)}; // braces: from left to right
@@ -218,6 +221,34 @@ class ObjReader {
             if (has_uvs) {
                 mesh_.uvs.push_back(corner[1] != none ? uvs_[corner[1]] : glm::dvec2(0));
             }
+        }
+        keep_file_normals();
+    }
+
+    /// Where a reader without guards has other normals: too short or too long to be made unit in float32, or not
+    /// finite.
+    void keep_file_normals() {
+        const auto extreme = [](const glm::dvec3 &n) { return !(largest_part(n) > 1e-18 && largest_part(n) < 1e18); };
+        if (flat_.empty() && std::ranges::none_of(file_normals_, extreme)) {
+            return;
+        }
+        std::vector<glm::vec3> computed(positions_.size(), glm::vec3(0));
+        const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+            const glm::vec3 p(positions_[a]);
+            const glm::vec3 face =
+                glm::normalize(glm::cross(glm::vec3(positions_[b]) - p, glm::vec3(positions_[c]) - p));
+            for (const std::uint32_t corner : {a, b, c}) {
+                computed[corner] += face;
+            }
+        };
+        for (const glm::uvec3 &t : mesh_.triangles) {
+            add(corners_[t.x][0], corners_[t.y][0], corners_[t.z][0]);
+        }
+        for (const auto &t : flat_) {
+            add(t[0], t[1], t[2]);
+        }
+        for (const Corner &corner : corners_) {
+            mesh_.file_normals.push_back(corner[2] != none ? glm::vec3(file_normals_[corner[2]]) : computed[corner[0]]);
         }
     }
 

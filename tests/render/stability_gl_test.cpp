@@ -3,6 +3,7 @@
 #include "render/renderer.h"
 #include "tools/gl_test.h"
 
+#include <algorithm>
 #include <set>
 
 namespace sandbox {
@@ -25,8 +26,16 @@ TEST_F(StabilityOnTheRenderer, EveryCaseKeepsItsBound) {
     StabilityRun run;
     for (const StabilityCase &one : stability_cases()) {
         run.results.push_back(run_stability_case(one, draw()));
-        EXPECT_TRUE(run.results.back().passed()) << one.name;
+        const StabilityResult &result = run.results.back();
+        EXPECT_TRUE(result.passed()) << one.name;
+        const Metrics &textbook = result.textbook.metrics;
+        const bool shown = textbook.nonfinite_pixels > 0 || result.textbook.error > one.bound ||
+                           textbook.silhouette_pixels > 0; // what is missing, or seen through another
+        EXPECT_TRUE(shown || !result.textbook_breaks()) << one.name << ": a symptom that no picture shows";
+        EXPECT_TRUE(result.textbook_breaks() || !one.seen_on.empty()) << one.name << ": says not where it was seen";
     }
+    const auto breaks = std::ranges::count_if(run.results, [](const auto &r) { return r.textbook_breaks(); });
+    EXPECT_GE(breaks, 76) << "two equal pictures under a symptom are the exception";
     if (HasFailure()) {
         ADD_FAILURE() << stability_table(run);
     }

@@ -87,6 +87,21 @@ TEST(Obj, DropsTrianglesWithoutArea) {
     EXPECT_EQ(error(""), "a.obj: expected at least one triangle with an area, got none");
 }
 
+/// As a reader without guards has them: kept for the textbook's pictures where float32 cannot make them unit.
+TEST(Obj, KeepsTheFilesOwnNormalsWhereTheyWereMended) {
+    const Mesh tiny = read_obj(triangle + "vn 0 0 1e-30\nf 1//1 2//1 3//1", "a.obj");
+    ASSERT_EQ(tiny.file_normals.size(), tiny.positions.size());
+    EXPECT_EQ(tiny.file_normals[0], glm::vec3(0, 0, 1e-30F));
+    EXPECT_EQ(read_obj(triangle + "vn 0 0 0\nf 1//1 2//1 3//1", "a.obj").file_normals[2], glm::vec3(0));
+    EXPECT_TRUE(read_obj(triangle + "vn 0 0 7\nf 1//1 2//1 3//1", "a.obj").file_normals.empty()) << "only not unit";
+    // A triangle without area has no normal: its corners 1 and 2 get what normalize(0) gives.
+    const Mesh degenerate = read_obj(triangle + "f 1 1 2\nf 1 2 3", "a.obj");
+    ASSERT_EQ(degenerate.file_normals.size(), 3U);
+    EXPECT_TRUE(std::isnan(degenerate.file_normals[0].z));
+    EXPECT_TRUE(std::isnan(degenerate.file_normals[1].z));
+    EXPECT_EQ(degenerate.file_normals[2], glm::vec3(0, 0, 1));
+}
+
 TEST(Obj, RefusesWhatItCannotReadWithTheLine) {
     EXPECT_EQ(error(triangle + "f 0 1 2"), "a.obj:4: index 0 is out of range; there are 3 v so far");
     EXPECT_EQ(error(triangle + "f 1 2 4"), "a.obj:4: index 4 is out of range; there are 3 v so far");

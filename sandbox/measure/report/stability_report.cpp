@@ -35,11 +35,13 @@ ordered_json result_json(const StabilityResult &result) {
             {"symptom", judged.symptom},
             {"cause", judged.cause},
             {"source", judged.source},
+            {"seen_on", judged.seen_on.empty() ? ordered_json() : ordered_json(judged.seen_on)},
             {"bound", judged.bound},
             {"unit", name_of(judged.unit)},
             {"passed", result.passed()},
             {"cost", cost ? ordered_json(*cost) : ordered_json()},
-            {"textbook_form", judged.textbook ? "the program with power=textbook" : "float32 on the processor"},
+            {"textbook_form", textbook_words(judged)},
+            {"textbook_breaks", result.textbook_breaks()},
             {"textbook", row_json(result.textbook)},
             {"robust", rows}};
 }
@@ -73,9 +75,10 @@ std::string case_html(const StabilityResult &result) {
     const auto [style, verdict] =
         result.passed() ? std::pair("kept", "within its bound") : std::pair("broken", "bound broken");
     std::string story;
-    for (const auto &[term, text] :
-         {std::pair("Symptom", judged.symptom), std::pair("Cause", judged.cause), std::pair("Met in", judged.source),
-          std::pair("Bound", bound_words(judged)), std::pair("Cost", cost_words(result))}) {
+    for (const auto &[term, text] : {std::pair("Here", result.textbook_breaks() ? "" : seen_on_words(judged)),
+                                     std::pair("Symptom", judged.symptom), std::pair("Cause", judged.cause),
+                                     std::pair("Met in", judged.source), std::pair("Textbook", textbook_words(judged)),
+                                     std::pair("Bound", bound_words(judged)), std::pair("Cost", cost_words(result))}) {
         story += text.empty() ? "" : fmt::format("<dt>{}</dt><dd>{}</dd>", term, html::escaped(text));
     }
     std::string warnings;
@@ -94,7 +97,22 @@ std::string case_html(const StabilityResult &result) {
         html::figure("Reference", "in double", "", result.reference_image), story, warnings);
 }
 
-std::string table_html(const StabilityRun &run) {
+using Results = std::vector<const StabilityResult *>;
+
+/// Those whose textbook's form breaks, or the others.
+Results list_of(const StabilityRun &run, bool breaks) {
+    Results list;
+    for (const StabilityResult &result : run.results) {
+        if (result.textbook_breaks() == breaks) {
+            list.push_back(&result);
+        }
+    }
+    return list;
+}
+
+std::string title_of(const char *title, const Results &list) { return fmt::format("{}: {}", title, list.size()); }
+
+std::string table_html(const Results &list) {
     html::Table table({"case", "textbook's error", "not finite", "robust error, worst", "of technique", "not finite",
                        "bound", "cost", "verdict"});
     const auto add_error = [&](const StabilityRow &row) { table.number(row.error, short_number(row.error)); };
@@ -102,7 +120,8 @@ std::string table_html(const StabilityRun &run) {
         const auto count = row.metrics.nonfinite_pixels;
         table.number(static_cast<double>(count), fmt::format("{}", count));
     };
-    for (const StabilityResult &result : run.results) {
+    for (const StabilityResult *one : list) {
+        const StabilityResult &result = *one;
         const StabilityRow &worst = result.worst();
         const auto cost = result.cost_ratio();
         table.begin_row();
@@ -120,12 +139,12 @@ std::string table_html(const StabilityRun &run) {
 }
 
 /// The cases of one group after the other.
-std::string group_sections(const std::vector<StabilityResult> &results) {
+std::string group_sections(const Results &results) {
     std::string sections, body;
     for (std::size_t i = 0; i < results.size(); ++i) {
-        const std::string &group = results[i].definition.group;
-        body += case_html(results[i]);
-        if (i + 1 == results.size() || results[i + 1].definition.group != group) {
+        const std::string &group = results[i]->definition.group;
+        body += case_html(*results[i]);
+        if (i + 1 == results.size() || results[i + 1]->definition.group != group) {
             const std::string name = html::escaped(group);
             const auto first = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
             sections += html::section(name, first + name.substr(1), "", body);
@@ -135,11 +154,32 @@ std::string group_sections(const std::vector<StabilityResult> &results) {
     return sections;
 }
 
+/// A case's line of the terminal's table, and what there is to say of it.
+std::string table_lines(const StabilityResult &result, std::size_t width) {
+    const auto cost = result.cost_ratio();
+    std::string out =
+        fmt::format("{:<{}}{:<16}{:<16}{:<10}{:<7}{}\n", result.definition.name, width, error_words(result.textbook),
+                    error_words(result.worst()), short_number(result.definition.bound), cost ? short_number(*cost) : "",
+                    result.passed() ? "ok" : "BROKEN");
+    if (!result.textbook_breaks() && !result.definition.seen_on.empty()) {
+        out += fmt::format("    seen on: {}\n", result.definition.seen_on);
+    }
+    for (const StabilityRow &row : result.rows) {
+        if (!row.passed) {
+            const Metrics &m = row.metrics;
+            out += fmt::format("    {}: error {}, compared {}, silhouette {}, edge {}, jump {}, rounding {}\n",
+                               to_string(row.technique), error_words(row), m.compared_pixels, m.silhouette_pixels,
+                               m.edge_pixels, m.jump_pixels, m.rounding_pixels);
+        }
+    }
+    return out;
+}
+
 } // namespace
 
 std::string stability_html(const StabilityRun &run) {
     const auto kept = std::ranges::count_if(run.results, [](const StabilityResult &r) { return r.passed(); });
-    const auto naive = std::ranges::count_if(run.results, [](const StabilityResult &r) { return !r.textbook.passed; });
+    const Results breaks = list_of(run, true), holds = list_of(run, false);
     const auto of_all = [&](auto count) { return fmt::format("{} of {}", count, run.results.size()); };
     const std::string header = fmt::format(
         R"(<header><p class="kicker">Numerical stability</p><h1>Stiff and extreme cases</h1><p class="lead">Scenes on )"
@@ -148,15 +188,24 @@ std::string stability_html(const StabilityRun &run) {
         "\n",
         stability_size.width, stability_size.height, html::escaped(run.renderer), html::escaped(run.version));
     const std::string cards = html::card("", of_all(kept), "within their bound as this program draws them") +
-                              html::card("", of_all(naive), "out of bound in the textbook's form");
-    const std::string table =
-        html::section("table", "All cases",
+                              html::card("", of_all(breaks.size()), "break in the textbook's form on this renderer") +
+                              html::card("", of_all(holds.size()), "in which nothing breaks on this renderer");
+    const std::string tables =
+        html::section("table", title_of(breaks_title, breaks),
                       "A case keeps its bound if every pixel is finite and the largest difference over the compared "
                       "pixels stays within it, for every technique of the case. Cost is run time over that of the same "
                       "program without guards and stable powers, taken in turns; 1 where the scene needs none.",
-                      table_html(run));
+                      table_html(breaks)) +
+        html::section("table", title_of(holds_title, holds),
+                      "The textbook's form stays within the bound here. Each case says where its damage was seen.",
+                      table_html(holds));
+    std::string unbroken;
+    for (const StabilityResult *result : holds) {
+        unbroken += case_html(*result);
+    }
     return html::page("Stiff and extreme cases",
-                      header + "<div class=\"cards\">" + cards + "</div>\n" + table + group_sections(run.results));
+                      header + "<div class=\"cards\">" + cards + "</div>\n" + tables + group_sections(breaks) +
+                          html::section("holds", holds_title, "The symptom is what was seen elsewhere.", unbroken));
 }
 
 std::string stability_json(const StabilityRun &run) {
@@ -168,6 +217,8 @@ std::string stability_json(const StabilityRun &run) {
                            {"version", run.version},
                            {"renderer", run.renderer},
                            {"size", {stability_size.width, stability_size.height}},
+                           {"textbook_breaks", list_of(run, true).size()},
+                           {"nothing_breaks", list_of(run, false).size()},
                            {"cases", cases}};
     return all.dump(2) + "\n";
 }
@@ -190,22 +241,26 @@ std::string stability_table(const StabilityRun &run) {
     }
     std::string out =
         fmt::format("{:<{}}{:<16}{:<16}{:<10}{:<7}\n", "case", widest + 2, "textbook", "robust", "bound", "cost");
-    for (const StabilityResult &result : run.results) {
-        const auto cost = result.cost_ratio();
-        out += fmt::format("{:<{}}{:<16}{:<16}{:<10}{:<7}{}\n", result.definition.name, widest + 2,
-                           error_words(result.textbook), error_words(result.worst()),
-                           short_number(result.definition.bound), cost ? short_number(*cost) : "",
-                           result.passed() ? "ok" : "BROKEN");
-        for (const StabilityRow &row : result.rows) {
-            if (!row.passed) {
-                const Metrics &m = row.metrics;
-                out += fmt::format("    {}: error {}, compared {}, silhouette {}, edge {}, jump {}, rounding {}\n",
-                                   to_string(row.technique), error_words(row), m.compared_pixels, m.silhouette_pixels,
-                                   m.edge_pixels, m.jump_pixels, m.rounding_pixels);
-            }
+    for (const bool breaks : {true, false}) {
+        const Results list = list_of(run, breaks);
+        out += list.empty() ? "" : title_of(breaks ? breaks_title : holds_title, list) + "\n";
+        for (const StabilityResult *result : list) {
+            out += table_lines(*result, widest + 2);
         }
     }
     return out;
+}
+
+std::string textbook_words(const StabilityCase &judged) {
+    return (judged.textbook
+                ? "the renderer's " + to_string(*judged.textbook)
+                : "float32 on the processor, " + std::string(frequency_key.value(judged.techniques.front()).title)) +
+           (judged.textbook_target == TextbookTarget::half ? ", kept in half floats" : "");
+}
+
+std::string seen_on_words(const StabilityCase &judged) {
+    return judged.seen_on.empty() ? "nothing breaks on this renderer"
+                                  : "nothing breaks on this renderer; seen on: " + judged.seen_on;
 }
 
 std::string bound_words(const StabilityCase &judged) {

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-/// The results of stability cases as stability.html, stability.json, stability.csv and as a table for the terminal.
+/// The results of stability cases as stability.html, stability.json, stability.csv and as a table for the terminal, in
+/// two lists: where the textbook's form breaks on the renderer at hand, and where it does not.
 namespace sandbox {
 
 struct StabilityRun {
@@ -17,6 +18,15 @@ std::string stability_json(const StabilityRun &run);
 std::string stability_csv(const StabilityRun &run);
 std::string stability_table(const StabilityRun &run);
 
+/// The titles of the two lists.
+constexpr const char *breaks_title = "The textbook's form breaks on this renderer";
+constexpr const char *holds_title = "Nothing breaks on this renderer";
+
+/// "float32 on the processor, per vertex", "the renderer's per-pixel/phong:power=naive"; and where it is kept, if in
+/// half floats.
+std::string textbook_words(const StabilityCase &judged);
+/// "nothing breaks on this renderer; seen on: ..."
+std::string seen_on_words(const StabilityCase &judged);
 /// "1.00e-06 of the brightest value"
 std::string bound_words(const StabilityCase &judged);
 /// "1.04 times the textbook's run time"; nothing if it was not timed.

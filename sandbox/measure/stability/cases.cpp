@@ -22,8 +22,9 @@ using nlohmann::json;
 
 constexpr std::string_view cases_folder = "stability/cases/";
 constexpr double one_level = 1.0 / 255;
-constexpr std::array<std::string_view, 10> known_keys{"group", "symptom",    "cause",    "source", "scene",
-                                                      "set",   "techniques", "textbook", "bound",  "unit"};
+constexpr std::array<std::string_view, 12> known_keys{"group",    "symptom",         "cause", "source",
+                                                      "seen_on",  "scene",           "set",   "techniques",
+                                                      "textbook", "textbook_target", "bound", "unit"};
 
 class CaseReader {
   public:
@@ -52,6 +53,7 @@ class CaseReader {
         read.symptom = words("symptom");
         read.cause = words("cause");
         read.source = words("source");
+        read.seen_on = json_.contains("seen_on") ? words("seen_on") : "";
         read.scene = scene();
         const json techniques = json_.value("techniques", usual);
         expect(is_list_of_strings(techniques) && !techniques.empty(), "techniques", "a list of techniques");
@@ -62,6 +64,9 @@ class CaseReader {
             const std::string textbook = words("textbook");
             read.textbook = at("textbook", [&] { return parse_technique(textbook); });
         }
+        const json target = json_.value("textbook_target", json("float32"));
+        expect(target == "float32" || target == "half", "textbook_target", "\"float32\" or \"half\"");
+        read.textbook_target = target == "half" ? TextbookTarget::half : TextbookTarget::float32;
         const json bound = json_.value("bound", json(one_level));
         expect(bound.is_number() && bound.get<double>() > 0, "bound", "a number > 0");
         read.bound = bound.get<double>();

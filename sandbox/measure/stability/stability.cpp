@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/packing.hpp>
 
 namespace sandbox {
 namespace {
@@ -46,6 +47,13 @@ double cost_of(const StabilityCase &timed, const StabilityDraw &draw) {
     return ratios[cost_turns / 2];
 }
 
+/// As a target of half floats keeps them.
+void round_to_half(Image &image) {
+    for (glm::vec4 &pixel : image.pixels) {
+        pixel = glm::unpackHalf4x16(glm::packHalf4x16(pixel));
+    }
+}
+
 } // namespace
 
 bool StabilityResult::passed() const {
@@ -67,7 +75,7 @@ StabilityRow judge_stability(const Frame &drawn, const ReferenceFrame &truth, co
     row.error = row.metrics.norms.max_abs / scale;
     const auto pixels = static_cast<double>(truth.color.size());
     row.passed = row.metrics.nonfinite_pixels == 0 && row.error <= bound &&
-                 static_cast<double>(row.metrics.compared_pixels) >= least_compared_share * pixels &&
+                 row.metrics.compared_share >= least_compared_share &&
                  static_cast<double>(row.metrics.silhouette_pixels) <= most_silhouette_share * pixels;
     return row;
 }
@@ -89,8 +97,11 @@ StabilityResult run_stability_case(const StabilityCase &definition, const Stabil
             continue;
         }
         const Technique textbook = definition.textbook.value_or(technique);
-        const Frame naive = definition.textbook ? draw.picture(definition.scene, textbook, size)
-                                                : textbook_picture(definition.scene, resources, technique, size);
+        Frame naive = definition.textbook ? draw.picture(definition.scene, textbook, size)
+                                          : textbook_picture(definition.scene, resources, technique, size);
+        if (definition.textbook_target == TextbookTarget::half) {
+            round_to_half(naive.color);
+        }
         result.textbook = judge_stability(naive, truth, textbook, definition.bound, definition.unit);
         result.exposure = stability_exposure(definition, truth);
         result.textbook_image = to_display(naive.color, Display::linear, result.exposure);

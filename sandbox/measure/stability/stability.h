@@ -33,6 +33,8 @@ struct StabilityResult {
     ByteImage textbook_image, robust_image, reference_image;
 
     [[nodiscard]] bool passed() const;
+    /// Does the textbook's form show damage on the renderer at hand? If not, the case says where it was seen.
+    [[nodiscard]] bool textbook_breaks() const { return !textbook.passed; }
     /// The row with the largest error.
     [[nodiscard]] const StabilityRow &worst() const;
     /// The cost; 1 where there are no guards to pay for.
@@ -53,9 +55,9 @@ struct StabilityDraw {
 constexpr Size stability_size{129, 129}; ///< odd: one pixel looks straight ahead
 /// Costs are taken on a picture large enough for the fragments to count.
 constexpr Size stability_timed_size{256, 256};
-/// A case fails if fewer pixels than the first share are compared, or more than the second show another object: what is
-/// not there cannot be judged.
-constexpr double least_compared_share = 0.01;
+/// A case fails if a smaller share than the first of the pixels that show an object is compared (Metrics), or if more
+/// than the second of all pixels show another object: what is not there cannot be judged.
+constexpr double least_compared_share = trusted_share;
 constexpr double most_silhouette_share = 0.02;
 
 /// Judges `drawn` against `truth` by a bound.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <utility>
 
 namespace sandbox {
 
@@ -76,6 +77,30 @@ std::string short_name(const StabilityCase &definition) {
 bool is_shown(const ListedCase &listed, const CaseFilter &filter) {
     return (filter.group.empty() || listed.definition.group == filter.group) &&
            (!filter.textbook_breaks || textbook_verdict(listed) == Verdict::breaks);
+}
+
+std::vector<CaseList> lists_of(const std::vector<ListedCase> &cases, const CaseFilter &filter) {
+    std::vector<CaseList> lists;
+    for (const auto &[verdict, title] :
+         {std::pair(Verdict::breaks, breaks_title), std::pair(Verdict::not_run, "Not run yet"),
+          std::pair(Verdict::holds, holds_title)}) {
+        CaseList list;
+        for (std::size_t i = 0; i < cases.size(); ++i) {
+            if (textbook_verdict(cases[i]) == verdict && is_shown(cases[i], filter)) {
+                list.cases.push_back(i);
+            }
+        }
+        list.title = fmt::format("{}: {}", title, list.cases.size());
+        if (!list.cases.empty()) {
+            lists.push_back(std::move(list));
+        }
+    }
+    if (std::ranges::none_of(cases, [](const ListedCase &listed) { return listed.result.has_value(); })) {
+        for (CaseList &list : lists) {
+            list.title.clear();
+        }
+    }
+    return lists;
 }
 
 std::vector<std::string> groups_of(const std::vector<ListedCase> &cases) {

@@ -41,6 +41,13 @@ struct CaseFilter {
     bool textbook_breaks = false; ///< only where it is known to
 };
 bool is_shown(const ListedCase &listed, const CaseFilter &filter);
+/// The cases shown under one title, by number; without a title while nothing was run.
+struct CaseList {
+    std::string title;
+    std::vector<std::size_t> cases;
+};
+/// Where the textbook's form breaks, what was not run, where nothing breaks; lists without a case are left out.
+std::vector<CaseList> lists_of(const std::vector<ListedCase> &cases, const CaseFilter &filter);
 /// Every group once, in order.
 std::vector<std::string> groups_of(const std::vector<ListedCase> &cases);
 

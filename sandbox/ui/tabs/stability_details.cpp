@@ -23,11 +23,12 @@ void story_line(const char *name, const std::string &text) {
     wrapped_text(ImGui::GetStyleColorVec4(ImGuiCol_Text), text);
 }
 
-/// What A shows: only some cases have a program for the textbook's form.
-const char *left_text(const StabilityCase &definition) {
-    return definition.textbook ? "A: the same program with the textbook's power.  B: robust."
-                               : "A: a textbook's equation in float32 on the processor (visibility is the "
-                                 "reference's).  B: robust.";
+/// What A and B show.
+std::string views_text(const StabilityCase &definition) {
+    const bool half = definition.textbook_target == TextbookTarget::half;
+    return (definition.textbook ? "A: what people write, drawn by the renderer."
+                                : "A: a textbook's equation in float32 on the processor.") +
+           std::string(half ? " Only the picture here keeps it in half floats." : "") + "  B: robust.";
 }
 
 void failed_rows(const StabilityResult &result) {
@@ -118,6 +119,9 @@ void StabilityDetails::draw(const ListedCase &listed) {
         wrapped_text(quiet_text(), "Not run yet: \"Run this case\" shows textbook, robust and reference beside each "
                                    "other, and judges them.");
     }
+    if (textbook_verdict(listed) == Verdict::holds) {
+        story_line("Here", seen_on_words(definition));
+    }
     story_line("Symptom", definition.symptom);
     story_line("Cause", definition.cause);
     story_line("Met in", definition.source);
@@ -125,7 +129,8 @@ void StabilityDetails::draw(const ListedCase &listed) {
     if (const std::string cost = listed.result ? cost_words(*listed.result) : ""; !cost.empty()) {
         story_line("Cost", cost);
     }
-    story_line("Views", left_text(definition));
+    story_line("Textbook", textbook_words(definition));
+    story_line("Views", views_text(definition));
 }
 
 } // namespace sandbox

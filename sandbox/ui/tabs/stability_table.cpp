@@ -38,6 +38,13 @@ void group_row(const std::string &group) {
     ImGui::TextColored(quiet_text(), "%s", group.c_str());
 }
 
+/// A list's title, over all columns.
+void title_row(const std::string &title) {
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::Selectable(title.c_str(), false, ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_Disabled);
+}
+
 } // namespace
 
 ImVec4 verdict_color(Verdict verdict) {
@@ -66,18 +73,20 @@ std::optional<std::size_t> case_table(Session &session, const std::vector<Listed
         ImGui::TableSetupColumn("cost", ImGuiTableColumnFlags_WidthFixed, em * 3);
     }
     ImGui::TableHeadersRow();
-    std::string group;
     std::optional<std::size_t> clicked;
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-        if (!is_shown(cases[i], filter)) {
-            continue;
+    for (const CaseList &list : lists_of(cases, filter)) {
+        if (!list.title.empty()) {
+            title_row(list.title);
         }
-        if (cases[i].definition.group != group) {
-            group = cases[i].definition.group;
-            group_row(group);
-        }
-        if (row(session, cases[i], i == chosen, wide)) {
-            clicked = i;
+        std::string group;
+        for (const std::size_t i : list.cases) {
+            if (cases[i].definition.group != group) {
+                group = cases[i].definition.group;
+                group_row(group);
+            }
+            if (row(session, cases[i], i == chosen, wide)) {
+                clicked = i;
+            }
         }
     }
     ImGui::EndTable();

@@ -29,6 +29,8 @@ TEST(StabilityCases, NeedLittleMoreThanASceneAndAStory) {
     EXPECT_EQ(read.scene.lights.size(), 2U);
     EXPECT_EQ(read.techniques.size(), 4U);
     EXPECT_FALSE(read.textbook);
+    EXPECT_EQ(read.textbook_target, TextbookTarget::float32);
+    EXPECT_EQ(read.seen_on, "");
     EXPECT_EQ(read.bound, 1.0 / 255);
     EXPECT_EQ(read.unit, ErrorUnit::linear_color);
 }
@@ -37,11 +39,13 @@ TEST(StabilityCases, SayAllThatCanBeSaid) {
     const StabilityCase read = parse(R"("scene": {"lights": [{"type": "point", "position": [1, 2, 3]}],
         "objects": [{"mesh": {"shape": "box"}}]}, "set": ["camera.far=7", "lights[0].diffuse=0.5"],
         "techniques": ["flat/phong"], "textbook": "per-pixel/phong:power=textbook", "bound": 1e-5,
-        "unit": "brightest value")");
+        "unit": "brightest value", "textbook_target": "half", "seen_on": "a phone")");
     EXPECT_EQ(read.scene.camera.far_plane, 7);
     EXPECT_EQ(read.scene.lights[0].diffuse, 0.5);
     EXPECT_EQ(read.techniques, std::vector{parse_technique("flat/phong")});
     EXPECT_EQ(read.textbook, parse_technique("per-pixel/phong:power=textbook"));
+    EXPECT_EQ(read.textbook_target, TextbookTarget::half);
+    EXPECT_EQ(read.seen_on, "a phone");
     EXPECT_EQ(read.bound, 1e-5);
     EXPECT_EQ(read.unit, ErrorUnit::brightest_value);
 }
@@ -68,6 +72,10 @@ TEST(StabilityCases, ErrorsNameFileKeyAndWhatWasExpected) {
     EXPECT_EQ(error_in(R"("scene": "ball", "bound": 0)"), "mine.json: bound: expected a number > 0, got 0");
     EXPECT_EQ(error_in(R"("scene": "ball", "unit": "light")"),
               "mine.json: unit: expected \"linear colour\" or \"brightest value\", got \"light\"");
+    EXPECT_EQ(error_in(R"("scene": "ball", "textbook_target": "quarter")"),
+              "mine.json: textbook_target: expected \"float32\" or \"half\", got \"quarter\"");
+    EXPECT_EQ(error_in(R"("scene": "ball", "seen_on": "")"),
+              "mine.json: seen_on: expected a string that is not empty, got \"\"");
     EXPECT_EQ(error_in(R"("scene": "ball", "set": "camera.far=1")"),
               "mine.json: set: expected a list of strings PATH=VALUE, got \"camera.far=1\"");
     EXPECT_EQ(error_in(R"("scene": "ball", "set": ["lights[7].diffuse=1"])"),

@@ -7,6 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <tuple>
 
 namespace sandbox {
 namespace {
@@ -84,6 +85,86 @@ TEST(Stability, TheTextbookAgreesWhereNothingIsExtreme) {
     one.scene.lights = {light};
     EXPECT_LT(run_stability_case(one, fake(0), small).textbook.error,
               3e-5); // n = 32 times float's rounding, some times
+}
+
+/// 65504 is the largest half float; values from 65520 round to infinity. Float32 has room to spare.
+TEST(Stability, HalfFloatsEndWhereTheyEnd) {
+    for (const auto &[ambient, target, breaks] :
+         {std::tuple(65000.0, TextbookTarget::half, false), std::tuple(66000.0, TextbookTarget::half, true),
+          std::tuple(66000.0, TextbookTarget::float32, false), std::tuple(1e-9, TextbookTarget::half, true)}) {
+        StabilityCase one = plain_case(ambient, 1e-3); // half floats keep 11 bits: 5e-4
+        one.unit = ErrorUnit::brightest_value;
+        one.textbook_target = target;
+        const StabilityResult result = run_stability_case(one, fake(0), small);
+        EXPECT_EQ(result.textbook_breaks(), breaks) << ambient;
+        EXPECT_TRUE(result.passed()) << "the textbook's target is not the program's";
+    }
+}
+
+/// normalize(0) at one vertex, which all triangles around it share; elsewhere there is nothing to go wrong.
+TEST(Stability, ATextbookPerVertexSpreadsWhatOneVertexLoses) {
+    StabilityCase one = plain_case(0, 1);
+    one.scene.objects[0].mesh = PlaneShape{.size = {2, 2}, .divisions = 2};
+    one.scene.camera.position = {0, 3, 0};
+    one.scene.camera.up = {0, 0, -1};
+    one.scene.lights = {Light{}};
+    one.scene.lights[0].position = {0, 0, 0};
+    for (const auto &[technique, least, most] :
+         {std::tuple("per-pixel/lambert", 1, 1), std::tuple("per-vertex/lambert", 100, 33 * 33)}) {
+        one.techniques = {parse_technique(technique)};
+        const auto lost = run_stability_case(one, fake(0), small).textbook.metrics.nonfinite_pixels;
+        EXPECT_GE(lost, static_cast<std::size_t>(least)) << technique;
+        EXPECT_LE(lost, static_cast<std::size_t>(most)) << technique;
+    }
+}
+
+/// A wall two units behind the eye's near plane of 1e-9 has the depth 1, which is that of nothing at all.
+TEST(Stability, ATextbooksDepthsEndBeforeTheScene) {
+    StabilityCase one = plain_case(0.5, 0.01);
+    EXPECT_TRUE(run_stability_case(one, fake(0), small).textbook.passed);
+    one.scene.camera.near_plane = 1e-9;
+    const StabilityResult result = run_stability_case(one, fake(0), small);
+    EXPECT_TRUE(result.textbook_breaks());
+    EXPECT_GT(result.textbook.metrics.silhouette_pixels, 20U);
+}
+
+TEST(Stability, CasesAreListedByWhetherTheTextbookBreaks) {
+    StabilityCase dark = plain_case(1e-9, 1e-3);
+    dark.name = "dark";
+    dark.unit = ErrorUnit::brightest_value;
+    dark.textbook_target = TextbookTarget::half;
+    StabilityCase whole = plain_case(0.5, 0.01);
+    whole.name = "whole";
+    whole.seen_on = "a phone";
+    StabilityRun run;
+    run.results = {run_stability_case(whole, fake(0), small), run_stability_case(dark, fake(0), small)};
+    const auto json = nlohmann::json::parse(stability_json(run));
+    EXPECT_EQ(json["textbook_breaks"], 1);
+    EXPECT_EQ(json["nothing_breaks"], 1);
+    EXPECT_EQ(json["cases"][0]["textbook_breaks"], false);
+    EXPECT_EQ(json["cases"][0]["seen_on"], "a phone");
+    EXPECT_EQ(json["cases"][1]["textbook_breaks"], true);
+    EXPECT_EQ(json["cases"][1]["textbook_form"], "float32 on the processor, per pixel, kept in half floats");
+    for (const std::string &text : {stability_table(run), stability_html(run)}) {
+        const auto first = text.find("The textbook's form breaks on this renderer: 1");
+        const auto second = text.find("Nothing breaks on this renderer: 1");
+        ASSERT_NE(first, std::string::npos) << text.substr(0, 1000);
+        ASSERT_NE(second, std::string::npos);
+        EXPECT_LT(first, text.find("dark", first));
+        EXPECT_LT(text.find("dark", first), second) << "though it was run last";
+        EXPECT_LT(second, text.find("whole", second));
+        EXPECT_NE(text.find("seen on: a phone"), std::string::npos);
+    }
+}
+
+/// The first technique's truth judges the textbook's form.
+TEST(Stability, TheTextbooksFormIsOfTheFirstTechniquesKind) {
+    for (const StabilityCase &one : stability_cases()) {
+        if (one.textbook) {
+            EXPECT_EQ(one.textbook->frequency, one.techniques.front().frequency) << one.name;
+            EXPECT_EQ(one.textbook->model, one.techniques.front().model) << one.name;
+        }
+    }
 }
 
 TEST(Stability, EveryCaseHasAStoryAndANameOfItsOwn) {

@@ -99,6 +99,26 @@ TEST(StabilityList, Filters) {
     EXPECT_EQ(shown({"display", true}), "");
 }
 
+TEST(StabilityList, ListsByWhetherTheTextbookBreaks) {
+    const ListedCase unknown{plain_case("spot", "a"), std::nullopt};
+    const ListedCase broken = judged(plain_case("spot", "b"), row(1, false), row(0, true), row(0, true));
+    const ListedCase sound = judged(plain_case("display", "c"), row(0, true), row(0, true), row(0, true));
+    const auto titles = [](const std::vector<ListedCase> &cases, const CaseFilter &filter) {
+        std::string all;
+        for (const CaseList &list : lists_of(cases, filter)) {
+            all += list.title + "; ";
+        }
+        return all;
+    };
+    EXPECT_EQ(titles({sound, unknown, broken, sound}, {}), "The textbook's form breaks on this renderer: 1; "
+                                                           "Not run yet: 1; Nothing breaks on this renderer: 2; ");
+    EXPECT_EQ(titles({sound, broken}, {"display", false}), "Nothing breaks on this renderer: 1; ");
+    EXPECT_EQ(titles({unknown, unknown}, {}), "; ") << "one list, and nothing to call it";
+    const std::vector<CaseList> lists = lists_of({sound, unknown, broken, sound}, {});
+    EXPECT_EQ(lists[0].cases, std::vector<std::size_t>{2});
+    EXPECT_EQ(lists[2].cases, (std::vector<std::size_t>{0, 3}));
+}
+
 TEST(StabilityList, EveryCaseHasAStoryAndANameOfItsOwn) {
     std::set<std::string> names;
     for (const ListedCase &listed : list_cases(stability_cases())) {
