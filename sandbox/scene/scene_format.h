@@ -284,8 +284,8 @@ inline constexpr auto format_of<Scene> = format(
     control("background", &Scene::background, linear_rgb, "Linear RGB where there is no object."),
     control("ambient", &Scene::ambient, linear_rgb, "Ambient light of no light in particular, linear RGB."),
     control("blinn_exponent_scale", &Scene::blinn_exponent_scale, exponent_scale,
-            "Blinn-Phong's exponent is this times the shininess n; 4 matches Phong's highlights except "
-            "at grazing angles.",
+            "Blinn-Phong's exponent is this times the shininess n; 4 matches Phong's highlights to 0.004 near "
+            "normal incidence for n >= 32, and not at grazing angles (0.84 apart on a floor).",
             {.term = Term::blinn_highlight, .label = "Blinn n / n"}),
     field("lights", &Scene::lights, {.low = 0, .high = 64}, "At most 64."),
     field("objects", &Scene::objects, any, "What is lit."), field("views", &Scene::views, any, "Named cameras."));
