@@ -80,7 +80,10 @@ std::vector<Technique> techniques_of(std::uint32_t family) {
 
 Camera any_camera(StressDice &dice, double unit) {
     Camera camera;
-    const double distance = unit * (dice.chance(0.1) ? dice.power_of_ten(-3, 2) : dice.power_of_ten(0.3, 1));
+    double distance = unit * (dice.chance(0.1) ? dice.power_of_ten(-3, 2) : dice.power_of_ten(0.3, 1));
+    if (dice.chance(0.1)) { // through a telescope of 5e-4 to 2e-2 degrees
+        distance = std::min(unit * dice.power_of_ten(4, 5.5), farthest);
+    }
     camera.position = dice.direction() * distance;
     camera.up = dice.direction() * dice.power_of_ten(-8, 8);
     camera.fov_y_degrees = std::min(glm::degrees(2 * std::atan(1.5 * unit / distance)), 120.0);
