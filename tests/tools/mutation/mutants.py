@@ -14,7 +14,7 @@ METRICS = "measure/metrics/metrics.cpp"
 
 MUTANTS = [
     # The equation.
-    (LIGHTING, "return 2 * std::pow(std::sin(glm::radians(degrees) / 2), 2)", "radians(degrees) / 2", "radians(degrees) / 2.001"),
+    (LIGHTING, "return 2 * std::pow(std::sin(glm::radians(degrees) / 2), 2)", "glm::radians(degrees) / 2", "glm::radians(degrees) / 2.001"),
     (LIGHTING, "return t * t * (3 - 2 * t);", "t * t * (3 - 2 * t)", "t"),
     (LIGHTING, "setup.travel = unit(light.direction);", "unit(light.direction)", "light.direction"),
     (LIGHTING, "terms.c < light.cos_outer ? 0", "terms.c < light.cos_outer", "terms.c < light.cos_inner"),
