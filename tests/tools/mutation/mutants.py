@@ -4,11 +4,10 @@ LIGHTING = "reference/lighting.cpp"
 BRANCHES = "reference/branches.cpp"
 FRAGMENT = "reference/fragment.cpp"
 SURFACE = "reference/surface.cpp"
-SURFACE_H = "reference/surface.h"
 RASTER = "reference/raster.cpp"
+RASTER_H = "reference/raster.h"
 MESH_SCENE = "reference/mesh_scene.cpp"
 MESH_PICTURE = "reference/mesh_picture.cpp"
-ANALYTIC = "reference/analytic.cpp"
 ANALYTIC_PICTURE = "reference/analytic_picture.cpp"
 METRICS = "measure/metrics/metrics.cpp"
 
@@ -49,19 +48,19 @@ MUTANTS = [
     (RASTER, "lead > 0", "lead > 0", "lead < 0"),
     (RASTER, "kept.tie = kept.tie || tie", "kept.tie || tie", "kept.tie"),
     (RASTER, "distance * distance < (g.x * g.x + g.y * g.y) * (edge_width * edge_width)", "edge_width * edge_width", "edge_width * edge_width / 16"),
-    (RASTER, "farthest < near_ || nearest > far_", "nearest > far_", "nearest > 2 * far_"),
+    (RASTER, "farthest < depth_.near || nearest > depth_.far", "farthest < depth_.near", "nearest < depth_.near"),
     (RASTER, "hit.beside > hit.inverse_w - hit.resolution", "hit.inverse_w - hit.resolution", "2 * hit.inverse_w"),
     (RASTER, "edges.sign == 0 || edges.sign == object.hidden", "edges.sign == object.hidden", "edges.sign == -object.hidden"),
-    (RASTER, "inverse_w * near_ <= 1 && inverse_w * far_ >= 1", "inverse_w * far_ >= 1", "true"),
-    (RASTER, "inverse_w * near_ <= 1 && inverse_w * far_ >= 1", "inverse_w * near_ <= 1", "true"),
-    (RASTER, "hit.beside = std::max(hit.beside, beside <= 1 / near_ ? beside : 0)", "beside <= 1 / near_ ? beside : 0", "0.0"),
+    (RASTER_H, "inverse_w * near <= 1 && inverse_w * far >= 1", "inverse_w * far >= 1", "true"),
+    (RASTER_H, "inverse_w * near <= 1 && inverse_w * far >= 1", "inverse_w * near <= 1", "true"),
+    (RASTER, "hit.beside = std::max(hit.beside, beside <= depth_.nearest() ? beside : 0)", "beside <= depth_.nearest() ? beside : 0", "0.0"),
     (MESH_SCENE, "return glm::dot(normal, mean) < 0 ? -normal : normal", "glm::dot(normal, mean) < 0", "false"),
     (MESH_SCENE, "p[triangle.x] + p[triangle.y] + p[triangle.z]) / 3.0", "/ 3.0", "/ 3.0001"),
     (FRAGMENT, "point.raw_normal = unit(point.raw_normal)", "unit(point.raw_normal)", "point.raw_normal"),
     (FRAGMENT, "return a + weights.y * (b - a) + weights.z * (c - a)", "weights.z * (c - a)", "weights.y * (c - a)"),
     (FRAGMENT, "vectors.l = unit_or(interpolated(&LightVectors::l), point.normal)", "unit_or(interpolated(&LightVectors::l), point.normal)", "interpolated(&LightVectors::l)"),
     (FRAGMENT, "vectors.d = interpolated(&LightVectors::d)", "interpolated(&LightVectors::d)", "glm::length(setup.position - point.position)"),
-    (ANALYTIC_PICTURE, "(1 - 2 * y / size.height) * tan_y", "1 - 2 * y / size.height", "2 * y / size.height - 1"),
+    (ANALYTIC_PICTURE, "axes.up * ((1 - 2 * y / size.height) * half_height)", "1 - 2 * y / size.height", "2 * y / size.height - 1"),
     (ANALYTIC_PICTURE, "a.object != b.object || a.hit.part != b.hit.part", "a.hit.part != b.hit.part", "false"),
     # The masks.
     (BRANCHES, "std::abs(q) < std::abs(quantity(*right_) - q) + std::abs(quantity(*below_) - q) + noise", "std::abs(quantity(*below_) - q)", "0.0"),
