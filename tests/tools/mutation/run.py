@@ -12,6 +12,7 @@ import shutil
 import subprocess
 import sys
 
+sys.dont_write_bytecode = True
 from mutants import MUTANTS
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
