@@ -36,7 +36,7 @@ MUTANTS = [
     # The surface.
     (SURFACE, "normals != Normals::cofactor && glm::dot(a[0], cofactor[0]) < 0 ? -cofactor : cofactor", "glm::dot(a[0], cofactor[0]) < 0", "false"),
     (SURFACE, "return transformed == glm::dvec3(0) ? n : transformed", "transformed == glm::dvec3(0)", "false"),
-    (SURFACE, "const double x = uv.x * image.size.width - 0.5", "image.size.width - 0.5", "image.size.width"),
+    (SURFACE, "const double x = uv.x * image.size.width - 0.5", "uv.x * image.size.width - 0.5", "uv.x * image.size.width"),
     (SURFACE, "return glm::mix(below, above, y - j)", "y - j", "x - i"),
     (SURFACE, "texel(image, i + 1, j + 1)", "i + 1", "i"),
     (SURFACE, "glm::floor(checker_coordinates(checker, half_extent, p)), 0.0, checker.cells - 1.0", "checker.cells - 1.0", "checker.cells + 1.0"),
