@@ -86,7 +86,13 @@ void specular_factor(const Setup &setup, const glm::dvec3 &n, const glm::dvec3 &
 
 } // namespace
 
-glm::dvec3 as_float(const glm::dvec3 &v) { return glm::dvec3(glm::vec3(v)); }
+glm::dvec3 as_float(const glm::dvec3 &v) {
+    const auto rounded = [](double value) {
+        const volatile float single = static_cast<float>(value); // GCC 12 drops a way to float and back at -O2
+        return double{single};
+    };
+    return {rounded(v.x), rounded(v.y), rounded(v.z)};
+}
 
 glm::dvec3 unit(const glm::dvec3 &v) {
     const double square = glm::dot(v, v);

@@ -104,6 +104,17 @@ TEST(Lighting, GatesDecideAboutTheHighlightAlone) {
     EXPECT_EQ(spot.terms().specular.x, 0);
 }
 
+TEST(Lighting, TheGateShutsAtTheTerminatorAndCosinesEndAtZero) {
+    Spot spot;
+    spot.angles(90.02 * degree, 60 * degree); // N.L = -3e-4
+    EXPECT_EQ(spot.terms().specular, glm::dvec3(0));
+    spot.angles(89.98 * degree, 60 * degree);
+    EXPECT_GT(spot.terms().specular.x, 0);
+    spot.technique.model = Model::phong;
+    spot.angles(80 * degree, -30 * degree); // R and V are 110 degrees apart
+    EXPECT_EQ(spot.terms().f, 0);
+}
+
 TEST(Lighting, NormalisationScalesDiffuseAndHighlight) {
     Spot spot; // Blinn-Phong
     spot.angles(50 * degree, 30 * degree);

@@ -142,5 +142,13 @@ TEST(Raster, ANearerNeighbourThatJustMissesIsTold) {
     EXPECT_EQ(hits[3].object, 2U);
 }
 
+TEST(DepthRange, HoldsWhatLiesBetweenThePlanes) {
+    const DepthRange depth(2, 8);
+    EXPECT_TRUE(depth.holds(1 / 2.0));
+    EXPECT_TRUE(depth.holds(1 / 8.0));
+    EXPECT_FALSE(depth.holds(1 / 1.9));
+    EXPECT_FALSE(depth.holds(1 / 8.1));
+}
+
 } // namespace
 } // namespace sandbox::reference

@@ -1,5 +1,7 @@
 #include "reference/reference.h"
 
+#include "reference/branches.h"
+
 #include "reference/reference_scenes.h"
 
 #include <algorithm>
@@ -52,6 +54,62 @@ TEST(ReferenceMasks, StepsOfTheEquationAreMarked) {
     light.inner_cutoff_degrees = 20; // a soft edge does not jump
     const ReferenceFrame soft = render(scene, lambert(), size);
     EXPECT_EQ(std::count(soft.jump.begin(), soft.jump.end(), 1), 0);
+}
+
+std::ptrdiff_t jumps(const Scene &scene, const Technique &technique) {
+    const ReferenceFrame frame = render(scene, technique, {101, 101});
+    return std::count(frame.jump.begin(), frame.jump.end(), 1);
+}
+
+TEST(ReferenceMasks, EachBranchIsMarkedWhereItIsTaken) {
+    Scene scene = ball({0, 0, 0});
+    scene.lights[0] = test::directional_light({-1, 0, 0.1});
+    scene.objects[0].material.shininess = 1;
+    Technique technique;
+    EXPECT_GT(jumps(scene, technique), 0); // the highlight ends at the terminator
+    technique.gate = Gate::none;
+    EXPECT_EQ(jumps(scene, technique), 0);
+    technique.gate = Gate::times_n_dot_l; // fades instead
+    EXPECT_EQ(jumps(scene, technique), 0);
+    technique.ambient = AmbientWhere::where_lit;
+    EXPECT_EQ(jumps(scene, technique), 0); // there is no ambient light
+    scene.lights[0].ambient = 0.5;
+    EXPECT_GT(jumps(scene, technique), 0);
+    technique.ambient = AmbientWhere::everywhere;
+    technique.gate = Gate::none;
+    technique.model = Model::phong;
+    scene.objects[0].material.shininess = 0.01; // leaves 0 like a jump where R.V = 0
+    EXPECT_GT(jumps(scene, technique), 0);
+}
+
+TEST(ReferenceMasks, ALightWithinRoundingOfTheSurfaceHasNoDirection) {
+    Scene scene;
+    scene.camera.position = {0, 0, 10};
+    scene.lights = {test::point_light({1, 0, 0})};
+    const reference::Setup prepared = reference::prepare(scene, {});
+    const glm::dvec3 light = scene.lights[0].position - scene.camera.position;
+    // Positions of 10 are rounded to 2e-7 or so: less than a tenth of 1e-3, more than that of 1e-5.
+    EXPECT_TRUE(reference::direction_is_rounding(prepared, prepared.lights[0], light + glm::dvec3(0, 1e-5, 0)));
+    EXPECT_FALSE(reference::direction_is_rounding(prepared, prepared.lights[0], light + glm::dvec3(0, 1e-3, 0)));
+}
+
+TEST(ReferenceMasks, ACreaseOfAnAnalyticShapeIsAnEdge) {
+    Scene scene;
+    scene.camera.position = {0, 3, 3}; // sees a cylinder's cap and its side
+    scene.objects = {test::object_of(CylinderShape{1, 1, 32, 1})};
+    scene.lights = {test::point_light({2, 3, 4})};
+    const ReferenceFrame frame = render(scene, lambert(), {601, 601}, Surface::analytic);
+    int inner = 0; // edges with the object all around
+    for (std::size_t y = 2; y < 599; ++y) {
+        for (std::size_t x = 2; x < 599; ++x) {
+            const std::size_t i = y * 601 + x;
+            const bool inside = frame.object_ids[i] == 1 && frame.object_ids[i - 2] == 1 &&
+                                frame.object_ids[i + 2] == 1 && frame.object_ids[i - 2 * 601] == 1 &&
+                                frame.object_ids[i + 2 * 601] == 1;
+            inner += inside && frame.edge[i] != 0 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(inner, 0);
 }
 
 TEST(ReferenceMasks, TheGateIsMarkedOnlyWhereAHighlightReachesIt) {

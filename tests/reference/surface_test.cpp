@@ -129,5 +129,20 @@ TEST(CheckerColor, AlternatesInThreeAxesAndEndsAtTheCube) {
     EXPECT_EQ(checker_color(checker, 0.7, {0, 0.1, 0.1}), glm::dvec3(1)); // the centre plane: exact for any extent
 }
 
+TEST(Checker, ACellEndsAtItsBordersAndNotAtTheCube) {
+    const Checker checker{4, {glm::dvec3(0), glm::dvec3(1)}};
+    BaseColor base;
+    base.checker = &checker;
+    const glm::dvec3 step(1e-3, 0, 0);
+    const auto changes_at = [&](double x) {
+        const glm::dvec3 here(x, 0.25, 0.25);
+        return base.cell_may_change(here, here + step, here + step, glm::dvec3(0));
+    };
+    EXPECT_TRUE(changes_at(0.5));   // between the last two cells
+    EXPECT_FALSE(changes_at(0.25)); // within a cell
+    EXPECT_FALSE(changes_at(-1));   // the cube's own faces
+    EXPECT_FALSE(changes_at(1));
+}
+
 } // namespace
 } // namespace sandbox::reference
