@@ -35,7 +35,8 @@ TEST_F(StabilityOnTheRenderer, EveryCaseKeepsItsBound) {
         EXPECT_TRUE(result.textbook_breaks() || !one.seen_on.empty()) << one.name << ": says not where it was seen";
     }
     const auto breaks = std::ranges::count_if(run.results, [](const auto &r) { return r.textbook_breaks(); });
-    EXPECT_GE(breaks, 76) << "two equal pictures under a symptom are the exception";
+    const bool softpipe = context().renderer().find("softpipe") != std::string::npos; // pow(0, 0) is 1 there
+    EXPECT_GE(breaks, softpipe ? 74 : 76) << "two equal pictures under a symptom are the exception";
     if (HasFailure()) {
         ADD_FAILURE() << stability_table(run);
     }
