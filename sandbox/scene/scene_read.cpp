@@ -9,7 +9,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <ranges>
 #include <vector>
 
 namespace sandbox {
@@ -138,7 +137,9 @@ class Reader {
     }
     void read(const Json &json, const std::string &path, const Range &, LightType &out) const {
         const auto *kind = std::ranges::find_if(light_kinds, [&](const LightKind &k) { return json == k.word; });
-        expect(kind != light_kinds.end(), path, one_of(light_kinds | std::views::transform(&LightKind::word)), json);
+        std::array<std::string_view, light_kinds.size()> words;
+        std::ranges::transform(light_kinds, words.begin(), &LightKind::word);
+        expect(kind != light_kinds.end(), path, one_of(words), json);
         out = kind->type;
     }
     template <class E>
