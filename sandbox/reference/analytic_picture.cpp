@@ -97,13 +97,8 @@ class ShapeSampler : public Sampler {
         const bool border =
             shape_.base.has_cells() && shape_.base.cell_may_change(hit_.position, hit_at(edge_width, 0).position,
                                                                    hit_at(0, edge_width).position, glm::dvec3(0));
-        if (!border) {
-            return Sampler::masks(doubts, base());
-        }
-        const auto &colors = shape_.base.checker->colors;
-        PixelMasks masks = Sampler::masks(doubts, glm::max(colors[0], colors[1]));
-        add_base_doubt(masks, glm::abs(colors[0] - colors[1]), reflect(Terms::all, here));
-        return masks;
+        return border ? border_masks(doubts, *shape_.base.checker, reflect(Terms::all, here))
+                      : Sampler::masks(doubts, base());
     }
 
   private:

@@ -292,11 +292,14 @@ PixelMasks Sampler::masks(const Doubts &doubts, const glm::dvec3 &base) const {
     return {jump > negligible_jump, noise > negligible_noise, jump + noise};
 }
 
-void Sampler::add_base_doubt(PixelMasks &masks, const glm::dvec3 &difference, const Reflected &reflected) const {
+PixelMasks Sampler::border_masks(const Doubts &doubts, const Checker &checker, const Reflected &reflected) const {
+    const auto &colors = checker.colors;
+    PixelMasks result = masks(doubts, glm::max(colors[0], colors[1]));
     const glm::dvec3 tinted = object_.material.texture_modulates_specular ? reflected.highlight : glm::dvec3(0);
-    const double jump = largest(difference * (reflected.body + tinted));
-    masks.jump = masks.jump || jump > negligible_jump;
-    masks.doubt += jump;
+    const double jump = largest(glm::abs(colors[0] - colors[1]) * (reflected.body + tinted));
+    result.jump = result.jump || jump > negligible_jump;
+    result.doubt += jump;
+    return result;
 }
 
 } // namespace sandbox::reference

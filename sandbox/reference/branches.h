@@ -64,8 +64,9 @@ class Sampler {
     /// Which doubts show where the surface's own colour is `base`: a jump by more than 1e-6 of linear colour, a
     /// rounding by more than 1e-5.
     [[nodiscard]] PixelMasks masks(const Doubts &doubts, const glm::dvec3 &base) const;
-    /// ... and a jump of the surface's own colour by `difference`, in this light.
-    void add_base_doubt(PixelMasks &masks, const glm::dvec3 &difference, const Reflected &reflected) const;
+    /// The same at a border between a checker's cells, where the surface's own colour, too, jumps, in this light.
+    [[nodiscard]] PixelMasks border_masks(const Doubts &doubts, const Checker &checker,
+                                          const Reflected &reflected) const;
 
   protected:
     [[nodiscard]] bool keeps_normal_lengths() const { return setup_.technique.normals == Normals::unnormalized; }

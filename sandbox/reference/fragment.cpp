@@ -207,13 +207,8 @@ Doubts Fragment::doubts() const {
 }
 
 PixelMasks Fragment::masks() const {
-    if (!at_cell_border()) {
-        return Sampler::masks(doubts(), base());
-    }
-    const auto &colors = mesh_.base.checker->colors;
-    PixelMasks masks = Sampler::masks(doubts(), glm::max(colors[0], colors[1]));
-    add_base_doubt(masks, glm::abs(colors[0] - colors[1]), reflected());
-    return masks;
+    return at_cell_border() ? border_masks(doubts(), *mesh_.base.checker, reflected())
+                            : Sampler::masks(doubts(), base());
 }
 
 bool Fragment::at_edge() const { return near_edge(on_screen_, x_, y_); }

@@ -113,6 +113,9 @@ Mesh seen_part(const NarrowView &view, const Object &object, const Mesh &mesh) {
 
 std::vector<ObjectResources> seen_parts(const Scene &scene, const Technique &technique,
                                         std::vector<ObjectResources> resources, double aspect) {
+    if (!is_perspective(scene.camera)) {
+        return resources; // the planes of a view go through the eye
+    }
     const bool only_unit_normals =
         technique.frequency == Frequency::per_pixel && technique.position == LightingPosition::world &&
         technique.attenuation == AttenuationAt::exact && technique.renormalize == Renormalize::on &&

@@ -53,25 +53,11 @@ TEST(OwedMasks, ALampThatGivesNothingMasksNothing) {
     }
 }
 
-/// A plane under a spot whose hard edge crosses it.
-Scene spot_over_a_plane() {
-    Scene scene;
-    scene.camera.position = {0, 3, 0};
-    scene.camera.up = {0, 0, -1};
-    scene.objects.push_back(test::object_of(PlaneShape{}));
-    scene.lights.push_back(test::point_light({0, 1, 0}));
-    Light &light = scene.lights[0];
-    light.type = LightType::spot;
-    light.direction = {0, -1, 0};
-    light.cutoff_degrees = light.inner_cutoff_degrees = 30;
-    return scene;
-}
-
 TEST(OwedMasks, AConesEdgeOnASurfaceThatIsTurnedAway) {
     const Size size{401, 401};
     const Technique t = technique("per-pixel/phong");
     const auto masked = [&](const Scene &scene) { return count(render(scene, t, size).jump); };
-    Scene scene = spot_over_a_plane();
+    Scene scene = test::spot_over_a_plane();
     EXPECT_GT(masked(scene), 0);
     scene.lights[0].position = {0, -1, 0}; // from below: N.L < 0, and the gate is shut
     scene.lights[0].direction = {0, 1, 0};

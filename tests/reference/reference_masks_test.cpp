@@ -23,14 +23,7 @@ Technique lambert() {
 
 TEST(ReferenceMasks, StepsOfTheEquationAreMarked) {
     // A hard cone on a plane: the circle's pixels are marked, few others, and no pixel far from it.
-    Scene scene;
-    scene.camera.position = {0, 3, 0};
-    scene.camera.up = {0, 0, -1};
-    scene.objects.push_back(test::object_of(PlaneShape{}));
-    scene.lights.push_back(test::point_light({0, 1, 0}));
-    Light &light = scene.lights[0];
-    light.type = LightType::spot;
-    light.cutoff_degrees = light.inner_cutoff_degrees = 30;
+    Scene scene = test::spot_over_a_plane();
     const Size size{401, 401};
     const double scale = 3 * std::tan(22.5 * std::acos(-1.0) / 180) / 200.5;
     const auto distance_to_circle = [&](int x, int y) {
@@ -51,7 +44,7 @@ TEST(ReferenceMasks, StepsOfTheEquationAreMarked) {
         }
     }
     EXPECT_GT(marked, 0);
-    light.inner_cutoff_degrees = 20; // a soft edge does not jump
+    scene.lights[0].inner_cutoff_degrees = 20; // a soft edge does not jump
     const ReferenceFrame soft = render(scene, lambert(), size);
     EXPECT_EQ(std::count(soft.jump.begin(), soft.jump.end(), 1), 0);
 }

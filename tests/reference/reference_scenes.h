@@ -50,6 +50,20 @@ inline Scene ball(glm::dvec3 light, int rings = 32) {
     return scene;
 }
 
+/// A plane from above, and a spot whose hard edge draws a circle of radius tan(30 degrees) on it.
+inline Scene spot_over_a_plane() {
+    Scene scene;
+    scene.camera.position = {0, 3, 0};
+    scene.camera.up = {0, 0, -1};
+    scene.objects.push_back(object_of(PlaneShape{}));
+    scene.lights.push_back(point_light({0, 1, 0}));
+    Light &light = scene.lights[0];
+    light.type = LightType::spot;
+    light.direction = {0, -1, 0};
+    light.cutoff_degrees = light.inner_cutoff_degrees = 30;
+    return scene;
+}
+
 inline ReferenceFrame render(const Scene &scene, const Technique &technique, Size size,
                              Surface surface = Surface::mesh) {
     return render_reference(scene, resources_of(scene), technique, size, surface);

@@ -76,6 +76,9 @@ TEST_F(NarrowViews, OnlyTheyPayForIt) {
     }
     EXPECT_EQ(seen_mesh(scene, "per-vertex/phong"), whole); // interpolates colours of the mesh's own vertices
     EXPECT_EQ(seen_mesh(scene, "per-pixel/phong:renormalize=off"), whole);
+    scene.camera.projection = Projection::orthographic;
+    EXPECT_EQ(seen_mesh(scene, "per-pixel/phong"), whole);
+    scene.camera.projection = Projection::perspective;
     scene.camera.fov_y_degrees = 45;
     EXPECT_EQ(seen_mesh(scene, "per-pixel/phong"), whole);
     const auto is_lit_afar = [&](const Scene &s) {
