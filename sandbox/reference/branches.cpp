@@ -18,9 +18,12 @@ constexpr double negligible_jump = 1e-6;  ///< a smaller jump shows in no figure
 constexpr double negligible_noise = 1e-5; ///< a colour's change by rounding that is less is within every bound
 constexpr double far_from_a_branch = 0.1; ///< N.L and cosines change less over edge_width
 constexpr double steep_exponent = 0.5;    ///< f^n with a smaller n leaves 0 like a jump
-constexpr double short_normal = 0.25;     ///< float32 rounds it at least four times as coarsely as a unit normal
+constexpr double short_vector = 0.25;     ///< float32 rounds it at least four times as coarsely as a unit vector
 
 double largest(const glm::dvec3 &v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+/// By how many times its own length float32 rounds a shortened vector more than a unit one.
+double excess(double length) { return 1 / std::clamp(length, rounding, 1.0) - 1; }
 
 /// The two positions' lengths, which are what float32 rounds of their difference.
 double lengths_of(const Setup &setup, const LightSetup &light, const glm::dvec3 &position) {
@@ -77,20 +80,24 @@ class Branches {
         if (direction_is_rounding(setup_, light, here_.position)) {
             return doubt_direction(i, attenuation_bound(light, vectors.d));
         }
-        if (!sampler_.keeps_normal_lengths() && here_.normal_length < short_normal) {
-            doubt_normal(i);
+        const bool short_normal = !sampler_.keeps_normal_lengths() && here_.normal_length < short_vector;
+        if (short_normal || std::min(vectors.l_length, vectors.highlight_length) < short_vector) {
+            doubt_short_vectors(i, vectors);
         }
         const double lengths = spread(setup_, light, here_.position, vectors.d);
-        const double noise = rounding * (1 / here_.normal_length + lengths);
+        const double shortness = 1 / here_.normal_length + excess(vectors.l_length);
+        const double noise = rounding * (shortness + lengths);
         // A product of exact zeros has no rounding: a floor under a horizontal directional light is not in doubt.
         const double dot_noise =
-            rounding * (glm::dot(glm::abs(here_.normal), glm::abs(vectors.l)) / here_.normal_length + lengths);
+            rounding * (glm::dot(glm::abs(here_.normal), glm::abs(vectors.l)) * shortness + lengths);
         const auto n_dot_l = [&](const SurfacePoint &p) { return glm::dot(p.normal, sampler_.vectors(p, i).l); };
         const auto beyond_cone = [&](const SurfacePoint &p) {
             return glm::dot(-sampler_.vectors(p, i).l, light.travel) - light.cos_outer;
         };
-        const bool hard = light.cone && !(light.light.inner_cutoff_degrees < light.light.cutoff_degrees);
-        const bool at_cone = hard && close(beyond_cone, noise);
+        const double in_cone = cone_noise(light, noise);
+        const double edge = light.cos_inner - light.cos_outer; // one that rounding spans is as good as hard
+        const bool steps = light.cone && in_cone > far_from_a_branch * edge;
+        const bool at_cone = steps && close(beyond_cone, in_cone + edge);
         const bool gated = adds_highlight() && setup_.technique.gate == Gate::light_facing;
         const bool where_lit = adds_body() && setup_.technique.ambient == AmbientWhere::where_lit;
         const bool at_gate = (gated || where_lit) && close(n_dot_l, dot_noise);
@@ -98,6 +105,12 @@ class Branches {
             doubt_light(i, at_cone, at_gate && gated, at_gate && where_lit);
         }
         doubt_steep_highlight(i, noise);
+    }
+
+    /// Of the cosine, where a direction errs by `noise`; less where programs compare sines.
+    static double cone_noise(const LightSetup &light, double noise) {
+        const double sine = std::sqrt(std::max(1 - light.cos_outer * light.cos_outer, 0.0));
+        return is_narrow_cone(light.light) ? noise * (sine + noise) : noise;
     }
 
     template <class Quantity> bool close(const Quantity &quantity, double noise) {
@@ -185,14 +198,15 @@ class Branches {
         doubts_.rounding.highlight += amount.highlight;
     }
 
-    /// Where the corners' normals nearly cancel, float32 turns what is left by this much.
-    void doubt_normal(std::size_t i) {
+    /// Where the corners' vectors nearly cancel, float32 turns what is left by this much.
+    void doubt_short_vectors(std::size_t i, const LightVectors &vectors) {
         const LightTerms terms = sampler_.terms_at(here_, i);
-        const double turn = 2 * rounding / here_.normal_length;
+        const double turn = 2 * rounding * (1 / here_.normal_length + excess(vectors.l_length));
+        const double highlight_turn = turn + 2 * rounding * excess(vectors.highlight_length);
         const double steepest = std::sqrt(std::max(raised_exponent(setup_, object_.material.shininess), 1.0)) * 2;
         const Amounts amount = amounts(i, terms.vectors.a * terms.s, 1);
         doubts_.rounding.body += amount.diffuse * std::min(turn, 1.0);
-        doubts_.rounding.highlight += amount.highlight * std::min(steepest * turn, 1.0);
+        doubts_.rounding.highlight += amount.highlight * std::min(steepest * highlight_turn, 1.0);
     }
 
     [[nodiscard]] bool adds_body() const { return terms_ != Terms::highlight; }

@@ -21,7 +21,8 @@ struct SurfacePoint {
     double normal_length = 1;
     glm::dvec3 normal{0}; ///< raw_normal, turned where facing() says so
     glm::dvec3 view{0};
-    glm::dvec3 weights{0}; ///< of a triangle's corners, if it is on one
+    double view_length = 1; ///< of an interpolated V, before it was made unit
+    glm::dvec3 weights{0};  ///< of a triangle's corners, if it is on one
 };
 
 /// Every intermediate of one light at one point.
@@ -35,7 +36,8 @@ struct Doubts {
     /// The equation takes another branch (a gate, a hard cone, N turned to the viewer) within edge_width, or where the
     /// quantity that decides is zero to within its float32 `rounding` and that of the positions it is a difference of.
     Reflected jump;
-    /// float32 keeps too little of a direction: of that to a light, or of a normal that nearly cancels.
+    /// float32 keeps too little of a direction: of that to a light, or of a normal or another interpolated vector that
+    /// nearly cancels.
     Reflected rounding;
 };
 Doubts &operator+=(Doubts &sum, const Doubts &more);

@@ -58,7 +58,9 @@ SurfacePoint Fragment::point_at(double dx, double dy) const {
         point.raw_normal = unit(point.raw_normal);
     }
     if (setup_.technique.frequency == Frequency::interpolated_vectors) {
-        point.view = unit(blend(point.weights, corner(0).view, corner(1).view, corner(2).view));
+        point.view = blend(point.weights, corner(0).view, corner(1).view, corner(2).view);
+        point.view_length = glm::length(point.view);
+        point.view = unit(point.view);
     } else {
         point.view = view_vector(setup_, point.position);
     }
@@ -99,6 +101,7 @@ LightVectors Fragment::interpolated_vectors(const SurfacePoint &point, std::size
     };
     LightVectors vectors = corners[0];
     if (has_position(setup.light)) {
+        vectors.l_length = glm::length(interpolated(&LightVectors::l));
         vectors.l = unit_or(interpolated(&LightVectors::l), point.normal);
         vectors.d = interpolated(&LightVectors::d);
         vectors.a = setup_.technique.attenuation == AttenuationAt::interpolated
@@ -106,7 +109,10 @@ LightVectors Fragment::interpolated_vectors(const SurfacePoint &point, std::size
                         : attenuation(setup.light.attenuation, vectors.d);
     }
     vectors.r = unit(interpolated(&LightVectors::r));
-    if (setup_.technique.half_vector == HalfVector::exact) {
+    if (setup_.technique.model == Model::phong) {
+        vectors.highlight_length = std::min(glm::length(interpolated(&LightVectors::r)), point.view_length);
+    } else if (setup_.technique.half_vector == HalfVector::exact) {
+        vectors.highlight_length = glm::length(interpolated(&LightVectors::h));
         vectors.h = unit_or(interpolated(&LightVectors::h), point.normal);
     }
     return vectors;

@@ -72,6 +72,8 @@ struct LightVectors {
     double a = 1;    ///< attenuation
     glm::dvec3 r{0}; ///< 2 (N.L) N - L; Phong
     glm::dvec3 h{0}; ///< unit(L + V), N where L = -V; Blinn-Phong
+    /// Of an interpolated L, and of R or H, before they were made unit: of what nearly cancels float32 keeps little.
+    double l_length = 1, highlight_length = 1;
 };
 LightVectors light_vectors(const Setup &setup, const LightSetup &light, const glm::dvec3 &p, const glm::dvec3 &n,
                            const glm::dvec3 &v);

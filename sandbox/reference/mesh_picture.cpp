@@ -80,7 +80,9 @@ class MeshPicture : public Picture {
         const Fragment fragment(meshes_, hit, x + 0.5, y + 0.5);
         frame.color[pixel] = fragment.color();
         frame.object_ids[pixel] = hit.object;
-        frame.edge[pixel] = on_edge(hit, fragment) ? 1 : 0;
+        const bool own = rasteriser_.beside_wins(hit) || hit.own_tie || fragment.at_edge();
+        frame.edge[pixel] = own || hit.tie ? 1 : 0;
+        frame.rival[pixel] = hit.tie && !own ? 1 : 0;
         frame.mark(pixel, fragment.masks());
     }
 

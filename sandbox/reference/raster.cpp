@@ -64,9 +64,11 @@ void keep_nearer(Hit &kept, Hit drawn) {
     if (lead > 0) {
         drawn.beside = kept.beside;
         drawn.tie = tie;
+        drawn.own_tie = tie && (kept.object == drawn.object || kept.tie); // what `kept` met may lie within, too
         kept = drawn;
     } else {
         kept.tie = kept.tie || tie;
+        kept.own_tie = kept.own_tie || (tie && kept.object == drawn.object);
     }
 }
 

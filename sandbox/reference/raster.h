@@ -47,6 +47,7 @@ struct Hit {
     double beside = 0;     ///< the largest inverse_w of a triangle that misses the centre by less than edge_width
     bool tie = false;      ///< another triangle lies within float32 depth resolution: OpenGL may pick that one
     double resolution = 0; ///< two values of inverse_w that are nearer to each other may come out in either order
+    bool own_tie = false;  ///< it may be one of the same object, which no object id tells
 };
 
 /// How the triangle's corners run on the screen: 1 clockwise, -1 counter-clockwise, 0 seen edge-on.

@@ -31,6 +31,7 @@ ReferenceFrame render_reference(const Scene &scene, const std::vector<ObjectReso
     frame.color.assign(pixels, scene.background);
     frame.object_ids.assign(pixels, 0);
     frame.edge.assign(pixels, 0);
+    frame.rival.assign(pixels, 0);
     frame.jump.assign(pixels, 0);
     frame.rounding.assign(pixels, 0);
     parallel_for(

@@ -25,6 +25,8 @@ struct ReferenceFrame {
     /// 1 where a pixel's centre lies within 1/128 pixel of an edge between triangles, or another surface lies within
     /// the depth buffer's resolution: OpenGL may see the neighbour.
     std::vector<std::uint8_t> edge;
+    /// 1 where `edge` says that another object may be seen and nothing else: the colour of this one is in no doubt.
+    std::vector<std::uint8_t> rival;
     /// 1 where the equation jumps (gate, hard cone, checker cell, N turned under facing=view) within 1/128 pixel or
     /// within float32 rounding of what decides it, and what jumps adds light.
     std::vector<std::uint8_t> jump;

@@ -27,14 +27,21 @@ Corner between(const Corner &a, const Corner &b, double share) {
 
 using Polygon = std::vector<Corner>;
 
-/// The part of a convex polygon where dot(plane, seen) >= 0.
-Polygon cut(const Polygon &polygon, const glm::dvec3 &plane) {
+/// What lies on the side of `seen` where dot(normal, seen) + distance >= 0.
+struct Plane {
+    glm::dvec3 normal;
+    double distance = 0;
+    [[nodiscard]] double at(const glm::dvec3 &seen) const { return glm::dot(normal, seen) + distance; }
+};
+
+/// The part of a convex polygon on that side.
+Polygon cut(const Polygon &polygon, const Plane &plane) {
     Polygon kept;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
         const Corner &here = polygon[i];
         const Corner &next = polygon[(i + 1) % polygon.size()];
-        const double a = glm::dot(plane, here.seen);
-        const double b = glm::dot(plane, next.seen);
+        const double a = plane.at(here.seen);
+        const double b = plane.at(next.seen);
         if (a >= 0) {
             kept.push_back(here);
         }
@@ -48,22 +55,30 @@ Polygon cut(const Polygon &polygon, const glm::dvec3 &plane) {
 struct NarrowView {
     glm::dmat3 axes; ///< from world axes to right, up, forward
     glm::dvec3 eye;
-    double half_width, half_height; ///< at a distance of 1
+    bool orthographic;
+    double half_width, half_height; ///< at a distance of 1 or, if orthographic, at every distance
 
-    [[nodiscard]] std::array<glm::dvec3, 4> planes() const {
-        return {{{1, 0, margin * half_width},
-                 {-1, 0, margin * half_width},
-                 {0, 1, margin * half_height},
-                 {0, -1, margin * half_height}}};
+    NarrowView(const Camera &camera, double aspect) : eye(camera.position), orthographic(is_orthographic(camera)) {
+        const CameraAxes own = camera_axes(camera);
+        axes = glm::transpose(glm::dmat3(own.right, own.up, own.forward));
+        half_height = orthographic ? camera.height / 2 : std::tan(glm::radians(camera.fov_y_degrees) / 2);
+        half_width = half_height * aspect;
+    }
+
+    /// Half the picture's diagonal, at `distance`.
+    [[nodiscard]] double radius(double distance) const {
+        return std::hypot(half_width, half_height) * (orthographic ? 1 : distance);
+    }
+
+    [[nodiscard]] std::array<Plane, 4> planes() const {
+        const auto plane = [&](const glm::dvec3 &inward, double half) {
+            const double kept = margin * half; // through the eye, or beside it
+            return orthographic ? Plane{inward, kept} : Plane{inward + glm::dvec3(0, 0, kept)};
+        };
+        return {plane({1, 0, 0}, half_width), plane({-1, 0, 0}, half_width), plane({0, 1, 0}, half_height),
+                plane({0, -1, 0}, half_height)};
     }
 };
-
-NarrowView view_of(const Camera &camera, double aspect) {
-    const CameraAxes axes = camera_axes(camera);
-    const double half_height = std::tan(glm::radians(camera.fov_y_degrees) / 2);
-    return {glm::transpose(glm::dmat3(axes.right, axes.up, axes.forward)), camera.position, half_height * aspect,
-            half_height};
-}
 
 /// Does the view see so little of the object, and does what is interpolated over it stay the same if it is cut?
 bool should_cut(const NarrowView &view, const Object &object, const Mesh &mesh) {
@@ -73,8 +88,7 @@ bool should_cut(const NarrowView &view, const Object &object, const Mesh &mesh) 
     const glm::dvec3 middle = linear * (0.5 * (mesh.bounds.low + mesh.bounds.high)) + object.transform.translate;
     const double farthest = glm::length(middle - view.eye) + radius;
     // A checker is laid over the whole mesh. An uneven scale gives the vertices' normals unlike weights.
-    return radius > narrow * farthest * std::hypot(view.half_width, view.half_height) && !object.material.checker &&
-           scales_evenly(linear);
+    return radius > narrow * view.radius(farthest) && !object.material.checker && scales_evenly(linear);
 }
 
 Mesh seen_part(const NarrowView &view, const Object &object, const Mesh &mesh) {
@@ -90,7 +104,7 @@ Mesh seen_part(const NarrowView &view, const Object &object, const Mesh &mesh) {
     for (const glm::uvec3 &triangle : mesh.triangles) {
         Polygon polygon{corner(triangle.x), corner(triangle.y), corner(triangle.z)};
         const bool one_normal = polygon[0].normal == polygon[1].normal && polygon[1].normal == polygon[2].normal;
-        for (const glm::dvec3 &plane : view.planes()) {
+        for (const Plane &plane : view.planes()) {
             const Polygon left = cut(polygon, plane);
             polygon = any_normals || one_normal || left.empty() ? left : polygon;
         }
@@ -113,14 +127,11 @@ Mesh seen_part(const NarrowView &view, const Object &object, const Mesh &mesh) {
 
 std::vector<ObjectResources> seen_parts(const Scene &scene, const Technique &technique,
                                         std::vector<ObjectResources> resources, double aspect) {
-    if (!is_perspective(scene.camera)) {
-        return resources; // the planes of a view go through the eye
-    }
     const bool only_unit_normals =
         technique.frequency == Frequency::per_pixel && technique.position == LightingPosition::world &&
         technique.attenuation == AttenuationAt::exact && technique.renormalize == Renormalize::on &&
         technique.normals != Normals::unnormalized;
-    const NarrowView view = view_of(scene.camera, aspect);
+    const NarrowView view(scene.camera, aspect);
     for (std::size_t i = 0; only_unit_normals && i < resources.size(); ++i) {
         const Mesh &mesh = *resources[i].mesh;
         const Object &object = scene.objects[i];

@@ -45,15 +45,6 @@ Exponent exponent_kind(const Technique &technique, Normals normals, double n) {
     return Exponent::textbook;
 }
 
-bool has_soft_edge(const Light &light) { return light.inner_cutoff_degrees < light.cutoff_degrees; }
-
-/// A float32 cosine errs by 6e-8: by more than 1e-4 of an edge or a cone this narrow.
-bool is_narrow(const Light &light) {
-    const double outer = std::cos(glm::radians(light.cutoff_degrees));
-    const double inner = std::cos(glm::radians(light.inner_cutoff_degrees));
-    return 1 - outer < 6e-4 || (has_soft_edge(light) && inner - outer < 6e-4);
-}
-
 void add_light(LightFeatures &f, const ObjectLight &on_object, const Light &light, const Technique &technique) {
     f.count += 1;
     f.ambient |= on_object.ambient;
@@ -69,7 +60,7 @@ void add_light(LightFeatures &f, const ObjectLight &on_object, const Light &ligh
         return;
     }
     (has_soft_edge(light) ? f.soft_cone : f.hard_cone) = true;
-    f.narrow_cone |= is_narrow(light);
+    f.narrow_cone |= is_narrow_cone(light);
     (light.exponent != 0 ? f.exponent : f.no_exponent) = true;
     f.stable_exponent |= technique.power == Power::stable ||
                          (technique.power == Power::automatic && light.exponent >= stable_power_from);

@@ -2,6 +2,8 @@
 
 #include "shading/features.h"
 
+#include <cmath>
+#include <glm/trigonometric.hpp>
 #include <numbers>
 
 namespace sandbox {
@@ -13,6 +15,16 @@ ShiningTerms terms_on(const Object &object, const Light &light, Model model) {
     return {.ambient = shines(light.ambient, object.material.ambient),
             .diffuse = shines(light.diffuse, object.material.diffuse),
             .specular = reflection(model).specular && shines(light.specular, object.material.specular)};
+}
+
+bool has_soft_edge(const Light &light) { return light.inner_cutoff_degrees < light.cutoff_degrees; }
+
+bool is_narrow_cone(const Light &light) {
+    // A float32 cosine errs by 6e-8: by more than 1e-4 of an edge or a cone this narrow.
+    constexpr double narrow = 6e-4;
+    const double outer = std::cos(glm::radians(light.cutoff_degrees));
+    const double inner = std::cos(glm::radians(light.inner_cutoff_degrees));
+    return 1 - outer < narrow || (has_soft_edge(light) && inner - outer < narrow);
 }
 
 bool fades(const Light &light) {

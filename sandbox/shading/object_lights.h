@@ -34,6 +34,10 @@ struct ObjectLights {
 
 ObjectLights lights_on_object(const Scene &scene, const Technique &technique, const Object &object);
 
+bool has_soft_edge(const Light &light);
+/// Is its cone or its soft edge too narrow for float32 cosines? Programs compare sines then.
+bool is_narrow_cone(const Light &light);
+
 /// Does anything about the light depend on where it is?
 bool fades(const Light &light);
 /// Must its ambient term be evaluated with the light? The rest is summed into one constant.

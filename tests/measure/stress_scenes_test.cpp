@@ -62,6 +62,16 @@ void note_object(std::map<std::string, int> &seen, const Object &object) {
     }
 }
 
+void note_view(std::map<std::string, int> &seen, const Scene &scene) {
+    const Object &object = scene.objects[0];
+    const auto *obj = std::get_if<ObjShape>(&object.mesh);
+    const bool far_uvs = obj != nullptr && obj->path.find("far-and-near-uvs") != std::string::npos;
+    const bool telescope = is_perspective(scene.camera) && scene.camera.fov_y_degrees < 0.02;
+    ++seen[is_perspective(scene.camera) ? "perspective" : "orthographic"];
+    seen["texture coordinates far from 0"] += far_uvs && !object.material.texture.empty() ? 1 : 0;
+    seen["open and two-sided, through a telescope"] += far_uvs && object.two_sided && telescope ? 1 : 0;
+}
+
 void note_light(std::map<std::string, int> &seen, const Light &light) {
     seen["intensity 1e6"] += light.diffuse == 1e6 ? 1 : 0;
     seen["a color's channel 0"] += zeros(light.color) > 0 ? 1 : 0;
@@ -81,6 +91,7 @@ TEST(StressScenes, ReachTheEndsOfEveryRange) {
     std::set<std::size_t> counts;
     for_each_stress_scene([&](const StressScene &one) {
         note_object(seen, one.scene.objects[0]);
+        note_view(seen, one.scene);
         for (const Light &light : one.scene.lights) {
             note_light(seen, light);
             const bool in_the_eye = light.type != LightType::directional && light.position == one.scene.camera.position;
@@ -92,6 +103,8 @@ TEST(StressScenes, ReachTheEndsOfEveryRange) {
                               "zero-normals.obj", "far-origin.obj", "axes of scale 0: 1", "axes of scale 0: 2"}) {
         seen.try_emplace(model, 0);
     }
+    EXPECT_GE(seen["orthographic"], 100);
+    EXPECT_GE(seen["open and two-sided, through a telescope"], 30);
     for (const auto &[what, count] : seen) {
         EXPECT_GE(count, 3) << what;
     }

@@ -124,6 +124,56 @@ TEST(OwedMasks, NormalsThatCancelMatterWhereLightReadsThem) {
     EXPECT_EQ(count(cancelling_normals(scene, "per-pixel/phong", size).rounding), 0);
 }
 
+TEST(OwedMasks, ACornersVectorsThatCancel) {
+    // The lamp hangs close above the middle of a square of two triangles: half way along the diagonal the corners'
+    // directions to it cancel but for the little that points up.
+    Scene scene;
+    scene.camera.position = {0, 4, 0.1};
+    scene.objects.push_back(test::object_of(PlaneShape{{2, 2}, 1}));
+    scene.lights.push_back(test::point_light({0, 1e-3, 0}));
+    const Size size{101, 101};
+    EXPECT_GT(count(render(scene, technique("interpolated-vectors/lambert"), size).rounding), 3);
+    EXPECT_EQ(count(render(scene, technique("per-pixel/lambert"), size).rounding), 0);
+    scene.lights[0].position.y = 1; // 0.58 of each corner's direction points up
+    EXPECT_EQ(count(render(scene, technique("interpolated-vectors/phong"), size).rounding), 0);
+}
+
+/// Programs tell such a cone by sines: what they lose of a direction, 1e-6 and less, counts as an angle, not as a
+/// cosine, which would be an angle of 1e-3.
+TEST(OwedMasks, AConeNarrowerThanRounding) {
+    Scene scene = test::spot_over_a_plane();
+    scene.lights[0].cutoff_degrees = scene.lights[0].inner_cutoff_degrees = 5e-6;
+    const Size size{401, 401};
+    const auto masked = [&] { return count(render(scene, technique("per-pixel/phong"), size).jump); };
+    EXPECT_LE(masked(), 4);
+    scene.camera.position = {0, 1e-2, 0}; // 5e-5 a pixel
+    scene.camera.near_plane = 1e-3;
+    EXPECT_LE(masked(), 4);
+    scene.camera.position = {0, 1e-4, 0}; // 5e-7 a pixel
+    scene.camera.near_plane = 1e-5;
+    EXPECT_GE(masked(), 4);
+    scene.lights[0].inner_cutoff_degrees = 0; // an edge that rounding spans is as good as a hard one
+    EXPECT_GE(masked(), 4);
+    scene.lights[0].inner_cutoff_degrees = 0.001;
+    scene.lights[0].cutoff_degrees = 0.002;
+    EXPECT_EQ(masked(), 0);
+}
+
+/// Twice the same ball: which one is seen is chance, and object ids tell it. What this one looks like is no chance.
+TEST(OwedMasks, ARivalHidesNothing) {
+    Scene scene = test::ball({0, 3, 4});
+    scene.objects.push_back(scene.objects[0]);
+    const Size size{65, 65};
+    const Technique t = technique("per-pixel/phong");
+    const ReferenceFrame twice = render(scene, t, size);
+    EXPECT_GT(count(twice.edge), 1000);
+    EXPECT_GT(count(twice.rival), 1000);
+    scene.objects[1].mesh = BoxShape{glm::dvec3(0.01), 1};
+    EXPECT_EQ(count(render(scene, t, size).rival), 0);
+    scene.objects.resize(1);
+    EXPECT_EQ(count(render(scene, t, size).rival), 0);
+}
+
 /// OpenGL lights an object that is far for its size in positions from the object's own middle, not from the eye.
 TEST(OwedMasks, ABallInATelescopeIsCompared) {
     Scene scene = test::ball({1.2, 1.1, 1.4});

@@ -82,7 +82,25 @@ TEST(Raster, NearerWinsAndTheFirstDrawnWinsATie) {
     const Hit hit = t.draw({8, 8})[9];
     EXPECT_EQ(hit.object, 2U);
     EXPECT_TRUE(hit.tie);
+    EXPECT_FALSE(hit.own_tie) << "of different objects";
     EXPECT_NEAR(hit.inverse_w, 1.0 / 3, 1e-15);
+}
+
+TEST(Raster, ATieWithinAnObject) {
+    const std::vector<Corner> twice{pixel(-10, -10, 3), pixel(50, -10, 3), pixel(-10, 50, 3)};
+    const std::vector<glm::uvec3> same{{0, 1, 2}, {0, 1, 2}};
+    const std::vector<glm::uvec3> one{{0, 1, 2}};
+    const auto own_tie = [&](const std::vector<RasterObject> &objects) {
+        return Rasteriser(objects, {8, 8}, {1, 10}).draw(0)[9].own_tie;
+    };
+    EXPECT_TRUE(own_tie({{twice, &same, 0}}));
+    EXPECT_TRUE(own_tie({{twice, &same, 0}, {twice, &one, 0}}));
+    EXPECT_FALSE(own_tie({{twice, &one, 0}, {twice, &same, 0}})) << "the first object is seen";
+    EXPECT_FALSE(own_tie({{twice, &one, 0}, {twice, &one, 0}}));
+    // A third surface, a little nearer, that both others lie close to: it may hide its own.
+    const std::vector<Corner> nearer{pixel(-10, -10, 2.9999999), pixel(50, -10, 2.9999999), pixel(-10, 50, 2.9999999)};
+    EXPECT_FALSE(own_tie({{twice, &one, 0}, {nearer, &one, 0}}));
+    EXPECT_TRUE(own_tie({{twice, &one, 0}, {twice, &one, 0}, {nearer, &one, 0}}));
 }
 
 TEST(Raster, NearAndFarAreMeasuredAtEachSample) {

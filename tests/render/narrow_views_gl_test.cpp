@@ -65,6 +65,19 @@ TEST_F(NarrowViews, AnEdgeOfAThousandthOfADegreeIsSharp) {
     EXPECT_LE(error(case_scene("narrow_soft_spot"), "per-pixel/lambert:program=full"), one_level);
 }
 
+/// Over two triangles of 2e6 units float32 places a pixel to 0.06 of a unit, of the four that the picture shows.
+TEST_F(NarrowViews, AnOrthographicFloorWithoutEndKeepsItsDigits) {
+    Scene scene;
+    scene.camera = {.position = {3, 3, 4}};
+    scene.camera.projection = Projection::orthographic;
+    scene.camera.height = 4;
+    scene.objects = {{"floor", PlaneShape{{2e6, 2e6}, 1}, {}, {}, false}};
+    scene.lights.resize(1);
+    scene.lights[0].position = {1, 2, 0};
+    EXPECT_LE(error(scene, "per-pixel/phong"), 5e-5); // n = 32
+    EXPECT_LE(error(scene, "per-pixel/blinn-phong:program=full"), 5e-5);
+}
+
 TEST_F(NarrowViews, OnlyTheyPayForIt) {
     Scene scene = case_scene("narrow_soft_spot");
     const auto whole = resources_.load(scene)[0].mesh;
@@ -77,7 +90,13 @@ TEST_F(NarrowViews, OnlyTheyPayForIt) {
     EXPECT_EQ(seen_mesh(scene, "per-vertex/phong"), whole); // interpolates colours of the mesh's own vertices
     EXPECT_EQ(seen_mesh(scene, "per-pixel/phong:renormalize=off"), whole);
     scene.camera.projection = Projection::orthographic;
+    scene.camera.height = 10;
     EXPECT_EQ(seen_mesh(scene, "per-pixel/phong"), whole);
+    scene.camera.height = 1e-3;
+    const auto box = seen_mesh(scene, "per-pixel/phong");
+    EXPECT_NE(box, whole);
+    EXPECT_LT(box->bounds.high.x - box->bounds.low.x, 0.01 * (whole->bounds.high.x - whole->bounds.low.x));
+    EXPECT_EQ(seen_mesh(scene, "per-vertex/phong"), whole);
     scene.camera.projection = Projection::perspective;
     scene.camera.fov_y_degrees = 45;
     EXPECT_EQ(seen_mesh(scene, "per-pixel/phong"), whole);

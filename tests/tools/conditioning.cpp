@@ -10,29 +10,10 @@ namespace sandbox {
 namespace {
 
 constexpr double rounding = 0x1p-22;
+constexpr double cosine_rounding = 2 * rounding;
 constexpr double darkest = 1e-30; ///< below it float32 ends
 
 double largest(const glm::dvec3 &v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
-double reach(const Object &object, const Mesh &mesh) {
-    const glm::dvec3 middle = linear_part(object.transform) * (0.5 * (mesh.bounds.low + mesh.bounds.high));
-    const glm::dvec3 half = 0.5 * (mesh.bounds.high - mesh.bounds.low) * object.transform.scale;
-    return glm::length(middle + object.transform.translate) + glm::length(half);
-}
-
-/// The same picture from the origin, where a double holds the smallest move.
-Scene seen_from_the_origin(Scene scene) {
-    const glm::dvec3 eye = scene.camera.position;
-    scene.camera.position = {};
-    scene.camera.target -= eye;
-    for (Object &object : scene.objects) {
-        object.transform.translate -= eye;
-    }
-    for (Light &light : scene.lights) {
-        light.position -= eye;
-    }
-    return scene;
-}
 
 /// As if N.L and the highlight were 1 everywhere.
 Scene facing_the_lights(Scene scene) {
@@ -50,27 +31,52 @@ Scene facing_the_lights(Scene scene) {
 
 } // namespace
 
+double reach_from(const glm::dvec3 &eye, const Object &object, const Mesh &mesh) {
+    const glm::dvec3 middle = linear_part(object.transform) * (0.5 * (mesh.bounds.low + mesh.bounds.high));
+    const glm::dvec3 half = 0.5 * (mesh.bounds.high - mesh.bounds.low) * object.transform.scale;
+    return glm::length(middle + (object.transform.translate - eye)) + glm::length(half);
+}
+
+Scene seen_from_the_origin(Scene scene) {
+    const glm::dvec3 eye = scene.camera.position;
+    scene.camera.position = {};
+    scene.camera.target -= eye;
+    for (Object &object : scene.objects) {
+        object.transform.translate -= eye;
+    }
+    for (Light &light : scene.lights) {
+        light.position -= eye;
+    }
+    return scene;
+}
+
+bool reads_the_origin(const Technique &technique) {
+    return technique.position != LightingPosition::world || technique.half_vector == HalfVector::constant;
+}
+
 Conditioning::Conditioning(const Scene &placed, const std::vector<ObjectResources> &resources,
                            const Technique &technique, const ReferenceFrame &truth)
     : truth_(truth), change_(truth.color.size(), 0), another_seen_(truth.color.size(), false) {
-    const Scene scene = seen_from_the_origin(placed);
+    const Scene scene = reads_the_origin(technique) ? placed : seen_from_the_origin(placed);
+    const glm::dvec3 eye = scene.camera.position;
     for (int axis = 0; axis < 3; ++axis) {
         for (const double share : {-rounding, rounding}) {
             Scene objects = scene;
             for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-                objects.objects[i].transform.translate[axis] += share * reach(scene.objects[i], *resources[i].mesh);
+                objects.objects[i].transform.translate[axis] +=
+                    share * reach_from(eye, scene.objects[i], *resources[i].mesh);
             }
             note(render_reference(objects, resources, technique, truth.size));
             Scene lights = scene;
             for (Light &light : lights.lights) {
-                light.position[axis] += share * glm::length(light.position);
+                light.position[axis] += share * glm::length(light.position - eye);
             }
             note(render_reference(lights, resources, technique, truth.size));
         }
     }
     double farthest = 1;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-        farthest = std::max(farthest, reach(scene.objects[i], *resources[i].mesh));
+        farthest = std::max(farthest, reach_from(eye, scene.objects[i], *resources[i].mesh));
     }
     for (double &change : change_) {
         change += 0x1p-126 * farthest * std::max(truth.size.width, truth.size.height);
@@ -81,7 +87,10 @@ Conditioning::Conditioning(const Scene &placed, const std::vector<ObjectResource
 
 void Conditioning::note_cosines(const ReferenceFrame &facing) {
     for (std::size_t i = 0; i < change_.size(); ++i) {
-        change_[i] += facing.object_ids[i] == truth_.object_ids[i] ? 2 * rounding * largest(facing.color[i]) : 0;
+        if (facing.object_ids[i] == truth_.object_ids[i]) {
+            change_[i] += cosine_rounding * largest(facing.color[i]);
+            light_ = compared(i) ? std::max(light_, largest(facing.color[i])) : light_;
+        }
     }
 }
 
@@ -119,7 +128,9 @@ double Conditioning::unexplained(const Frame &drawn) const {
             most = std::max(most, largest(glm::dvec3(drawn.color.pixels[i]) - truth_.color[i]) - change_[i]);
         }
     }
-    return most / brightest;
+    // A picture that is darker than what rounding makes of the cosines is black: it has no brightness of its own, and
+    // its errors are shares of the light that would be there.
+    return most / (brightest < cosine_rounding * light_ ? light_ : brightest);
 }
 
 } // namespace sandbox

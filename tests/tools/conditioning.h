@@ -19,7 +19,8 @@ class Conditioning {
     Conditioning(const Scene &scene, const std::vector<ObjectResources> &resources, const Technique &technique,
                  const ReferenceFrame &truth);
 
-    /// The largest error of the compared pixels less what rounding explains of it, as a share of the brightest of them.
+    /// The largest error of the compared pixels less what rounding explains of it, as a share of the brightest of them;
+    /// where all are darker than a rounding of the cosines, of what the lights would give to a surface that faced them.
     [[nodiscard]] double unexplained(const Frame &drawn) const;
 
     /// Pixels that show another object than the truth does, moved or not.
@@ -32,7 +33,17 @@ class Conditioning {
 
     const ReferenceFrame &truth_;
     std::vector<double> change_;     ///< a pixel each: the largest
+    double light_ = 0;               ///< the most that a surface which faced the lights would get
     std::vector<bool> another_seen_; ///< a pixel each: does some moved truth show another object?
 };
+
+/// No vertex is farther from the eye than that.
+double reach_from(const glm::dvec3 &eye, const Object &object, const Mesh &mesh);
+
+/// The same picture from the origin, where a double holds the smallest move.
+Scene seen_from_the_origin(Scene scene);
+
+/// Does the technique light by where the world's origin is? Then that would be another picture.
+bool reads_the_origin(const Technique &technique);
 
 } // namespace sandbox

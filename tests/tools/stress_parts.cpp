@@ -76,6 +76,18 @@ StressShape any_shape(StressDice &dice) {
     return {ObjShape{model}, 1, far ? glm::dvec3(1e6, 0, 0) : glm::dvec3(0)};
 }
 
+StressShape open_shape(StressDice &dice) {
+    const double size = dice.chance(0.7) ? 1 : dice.power_of_ten(-9, 8.9);
+    switch (dice.below(4)) {
+    case 0:
+        return {PlaneShape{glm::dvec2(size), 5}, size};
+    case 1:
+        return {CylinderShape{0.5 * size, size, 24, 2, false}, size};
+    default:
+        return {ObjShape{TEST_DATA_DIR "/lighting/far-and-near-uvs.obj"}, 1};
+    }
+}
+
 glm::dvec3 any_scale(StressDice &dice, double unit) {
     glm::dvec3 scale(unit);
     for (int axis = 0; axis < 3; ++axis) {

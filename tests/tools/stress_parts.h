@@ -14,6 +14,8 @@ struct StressShape {
     glm::dvec3 middle{0};
 };
 StressShape any_shape(StressDice &dice);
+/// A surface with an inside to look at, with texture coordinates, some of which are far from 0.
+StressShape open_shape(StressDice &dice);
 
 /// Along each axis: squashed, drawn out, mirrored, 0.
 glm::dvec3 any_scale(StressDice &dice, double unit);

@@ -1,5 +1,6 @@
 #include "tools/stress_scenes.h"
 
+#include "scene/orbit.h"
 #include "scene/space.h"
 #include "tools/stress_parts.h"
 
@@ -20,6 +21,8 @@ struct Family {
     bool two_sided = false;
     bool checker = false;
     bool emission = false;
+    bool orthographic = false;
+    bool open = false; ///< an open, textured surface, every other one seen through a telescope
 };
 constexpr std::array<Family, stress_families> families{{
     {"d", "ads", false, false, false},
@@ -42,6 +45,11 @@ constexpr std::array<Family, stress_families> families{{
     {"dpahs", "ads", false, false, false},
     {"aaaaaaaaaaaa", "ads", false, false, false},
     {"dahsdahsdahsdahsdahsdahsdahsdahsdahsdahsdahsdahsdahsdahsdahsdahs", "ads", false, false, false}, // 64
+    {"dp", "ads", false, false, false, true},
+    {"hs", "ads", true, true, true, true},
+    {"pd", "ads", true, false, false, false, true},
+    {"as", "ads", true, false, false, true, true},
+    {"k", "ds", true, false, true, false, true},
 }};
 
 constexpr double farthest = 1e9; ///< a coordinate
@@ -78,10 +86,10 @@ std::vector<Technique> techniques_of(std::uint32_t family) {
     return out;
 }
 
-Camera any_camera(StressDice &dice, double unit) {
+Camera any_camera(StressDice &dice, double unit, double telescopes) {
     Camera camera;
     double distance = unit * (dice.chance(0.1) ? dice.power_of_ten(-3, 2) : dice.power_of_ten(0.3, 1));
-    if (dice.chance(0.1)) { // through a telescope of 5e-4 to 2e-2 degrees
+    if (dice.chance(telescopes)) { // through a telescope of 5e-4 to 2e-2 degrees
         distance = std::min(unit * dice.power_of_ten(4, 5.5), farthest);
     }
     camera.position = dice.direction() * distance;
@@ -163,7 +171,7 @@ struct PlacedObject {
 
 /// About `unit` in size, whatever the size of its mesh.
 PlacedObject any_object(StressDice &dice, const Family &family, double unit) {
-    const stress::StressShape shape = stress::any_shape(dice);
+    const stress::StressShape shape = family.open ? stress::open_shape(dice) : stress::any_shape(dice);
     Object object{"object", shape.shape, {}, {}, family.two_sided};
     Transform &transform = object.transform;
     transform.scale = stress::any_scale(dice, std::clamp(unit / shape.size, 1e-15, 1e15));
@@ -179,6 +187,9 @@ PlacedObject any_object(StressDice &dice, const Family &family, double unit) {
     object.material.emission = family.emission ? dice.vector(0, 1) * dice.power_of_ten(-6, 6) : glm::dvec3(0);
     if (family.checker) {
         object.material.checker = Checker{static_cast<int>(1 + dice.below(9)), {dice.vector(0, 1), dice.vector(0, 1)}};
+    }
+    if (family.open) {
+        object.material.texture = "marble.png";
     }
     const glm::dvec3 top = transform.translate + linear_part(transform) * (shape.middle + glm::dvec3(0, shape.size, 0));
     return {object, top};
@@ -201,11 +212,14 @@ StressScene stress_scene(std::uint32_t number, std::uint32_t seed) {
         scene.lights.push_back(stress::any_light(dice, kind, unit));
         keep_terms(scene.lights.back(), family.terms);
     }
-    scene.camera = any_camera(dice, unit);
-    if (dice.chance(0.3) && family.terms.find('s') != std::string_view::npos) {
+    scene.camera = any_camera(dice, unit, family.open ? 0.5 : 0.1);
+    if (dice.chance(0.3) && family.terms.find('s') != std::string_view::npos && !family.open) {
         zoom_on_highlight(scene, dice, unit);
     } else if (dice.chance(0.15) && glm::length(placed.top) > 0.01 * unit && glm::length(placed.top) < 1e8) {
         set_trap(scene, dice, placed.top);
+    }
+    if (family.orthographic) { // as large at the target as before
+        scene.camera = with_projection(scene.camera, Projection::orthographic);
     }
     if (dice.chance(0.5)) { // as far as a double still tells the eye from what it looks at
         move_everything(scene, dice.direction() * std::min(unit * dice.power_of_ten(0, 12), 8e8));

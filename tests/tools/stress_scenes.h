@@ -15,8 +15,8 @@ struct StressScene {
     Scene scene;
     std::vector<Technique> techniques; ///< stress_techniques of them
 };
-constexpr std::uint32_t stress_families = 20;
-constexpr std::uint32_t stress_techniques = 3; ///< so that there are 60 sets of features, and some guards
+constexpr std::uint32_t stress_families = 25;
+constexpr std::uint32_t stress_techniques = 3; ///< so that there are 75 sets of features, and some guards
 StressScene stress_scene(std::uint32_t family, std::uint32_t seed);
 
 } // namespace sandbox

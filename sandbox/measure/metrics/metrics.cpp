@@ -38,9 +38,10 @@ class Reading {
         return frame_ != nullptr ? glm::dvec3(frame_->color.pixels[i]) : truth_->color[i];
     }
     [[nodiscard]] std::uint32_t id(std::size_t i) const { return (*ids_)[i]; }
-    /// Does this mask of a truth cover the pixel?
+    /// Does this mask of a truth cover the pixel, of which both pictures show the same object?
     [[nodiscard]] bool masked(std::vector<std::uint8_t> ReferenceFrame::*mask, std::size_t i) const {
-        return truth_ != nullptr && (truth_->*mask)[i] != 0;
+        const bool rival = mask == &ReferenceFrame::edge && truth_ != nullptr && truth_->rival[i] != 0;
+        return truth_ != nullptr && (truth_->*mask)[i] != 0 && !rival;
     }
     [[nodiscard]] ByteImage display() const {
         return to_display(frame_ != nullptr ? frame_->color : to_frame(*truth_).color, Display::linear);

@@ -26,6 +26,7 @@ ReferenceFrame truth(double value = 0.5) {
     frame.object_ids.assign(8, 1);
     frame.object_ids[0] = 0;
     frame.edge.assign(8, 0);
+    frame.rival.assign(8, 0);
     frame.jump.assign(8, 0);
     frame.rounding.assign(8, 0);
     return frame;
@@ -192,6 +193,20 @@ TEST(Metrics, WhatCannotBeComparedIsRefused) {
 }
 
 /// No error is no success where nothing was compared.
+TEST(Metrics, ARivalIsNoReasonToLeaveOutWhatIsSeen) {
+    Frame left = grey();
+    ReferenceFrame right = truth();
+    right.edge.assign(8, 1);
+    right.rival = {1, 1, 1, 1, 0, 0, 0, 0};
+    left.object_ids[2] = 2; // the rival is seen
+    left.color.pixels[3].g += 0.25F;
+    const Metrics m = compare(left, right);
+    EXPECT_EQ(m.silhouette_pixels, 1U);
+    EXPECT_EQ(m.compared_pixels, 2U);
+    EXPECT_EQ(m.edge_pixels, 4U);
+    EXPECT_DOUBLE_EQ(m.norms.max_abs, 0.25);
+}
+
 TEST(Metrics, NothingToCompareHasNoNumbers) {
     const auto expect_none = [](const Metrics &m) {
         EXPECT_EQ(m.compared_pixels, 0U);

@@ -18,7 +18,7 @@ namespace {
 class Dice {
   public:
     explicit Dice(unsigned seed) : random_(seed) {}
-    unsigned below(std::size_t count) { return random_() % static_cast<unsigned>(count); }
+    unsigned below(std::size_t count) { return static_cast<unsigned>(random_()) % static_cast<unsigned>(count); }
     bool one_in(unsigned count) { return below(count) == 0; }
     double between(double low, double high) { return low + (high - low) * static_cast<double>(random_()) / 0x1p32; }
     double power_of_ten(double low, double high) { return std::pow(10.0, between(low, high)); }

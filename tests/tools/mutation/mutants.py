@@ -65,7 +65,7 @@ MUTANTS = [
     # The masks.
     (BRANCHES, "std::abs(q) < std::abs(quantity(*right_) - q) + std::abs(quantity(*below_) - q) + noise", "std::abs(quantity(*below_) - q)", "0.0"),
     (BRANCHES, "std::abs(q) < std::abs(quantity(*right_) - q) + std::abs(quantity(*below_) - q) + noise", "std::abs(quantity(*right_) - q)", "1.0"),
-    (BRANCHES, "const bool at_cone = hard && close(beyond_cone, noise)", "hard && close(beyond_cone, noise)", "false"),
+    (BRANCHES, "const bool at_cone = steps && close(beyond_cone, in_cone + edge)", "steps && close(beyond_cone, in_cone + edge)", "false"),
     (BRANCHES, "const bool at_gate = (gated || where_lit) && close(n_dot_l, dot_noise)", "(gated || where_lit) && close(n_dot_l, dot_noise)", "false"),
     (BRANCHES, "const bool gated = adds_highlight() && setup_.technique.gate == Gate::light_facing", "setup_.technique.gate == Gate::light_facing", "true"),
     (BRANCHES, "doubts_.jump.body += where_lit ? amount.ambient : glm::dvec3(0)", "where_lit ? amount.ambient : glm::dvec3(0)", "glm::dvec3(0)"),
@@ -74,7 +74,7 @@ MUTANTS = [
     (BRANCHES, "jump > negligible_jump, noise > negligible_noise", "jump > negligible_jump", "jump >= 0"),
     (BRANCHES, "jump > negligible_jump, noise > negligible_noise", "noise > negligible_noise", "false"),
     (BRANCHES, "return rounding * spread(setup, light, position, d) > far_from_a_branch", "> far_from_a_branch", "> 1e3 * far_from_a_branch"),
-    (BRANCHES, "here_.normal_length < short_normal", "here_.normal_length < short_normal", "false"),
+    (BRANCHES, "here_.normal_length < short_vector", "here_.normal_length < short_vector", "false"),
     (METRICS, "if (left.id(i) != right.id(i)) {\n        return PixelUse::silhouette", "left.id(i) != right.id(i)", "left.id(i) < right.id(i)"),
     (METRICS, "if (masked(&ReferenceFrame::edge))", "masked(&ReferenceFrame::edge)", "false"),
     (METRICS, "std::ceil(0.99 * count)) - 1", "0.99 * count", "0.98 * count"),
