@@ -5,6 +5,7 @@
 #include <array>
 #include <compare>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <string>
@@ -49,6 +50,7 @@ inline constexpr TechniqueValue frequency_values[]{
 };
 inline constexpr auto all_frequencies = enumerators<Frequency>(frequency_values);
 
+/// From the plainest on: reports begin with the last.
 enum class Model { lambert, phong, blinn_phong };
 inline constexpr TechniqueValue model_values[]{
     {"lambert", "Lambert", "diffuse only"},
@@ -64,6 +66,7 @@ struct Reflection {
 };
 constexpr Reflection reflection(Model model) {
     constexpr Reflection rows[]{{false, false, false}, {true, false, false}, {true, true, true}};
+    static_assert(std::size(rows) == std::size(model_values), "a Reflection for each model");
     return rows[static_cast<int>(model)];
 }
 constexpr bool mirrors_view(Model model) { return reflection(model).specular && !reflection(model).half_vector; }
@@ -156,7 +159,9 @@ enum class Power { automatic, textbook, stable, naive };
 inline constexpr TechniqueValue power_values[]{
     {"auto", "automatic", "pow() below n = 1024, the stable form from there"},
     {"textbook", "textbook", "pow(): its error grows with n", rules::raises_large_exponents},
-    {"stable", "stable", "exp(n log(1 - x)) from the small quantity x itself: within 2e-5 to n = 1e4, 6.5e-4 (Phong) at 1e7", rules::raises_small_exponents},
+    {"stable", "stable",
+     "exp(n log(1 - x)) from the small quantity x itself: within 2e-5 to n = 1e4, 6.5e-4 (Phong) at 1e7",
+     rules::raises_small_exponents},
     {"naive", "naive", "pow() and normalize() as people write them: undefined at pow(0, 0) and normalize(0)",
      rules::has_light, rules::needs_specialised_program},
 };

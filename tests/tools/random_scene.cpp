@@ -1,5 +1,6 @@
 #include "tools/random_scene.h"
 
+#include "scene/light_kind.h"
 #include "scene/mesh.h"
 #include "scene/orbit.h"
 
@@ -88,7 +89,7 @@ Transform random_transform(Dice &dice) {
 
 Light random_light(Dice &dice) {
     Light light;
-    light.type = dice.one_of(std::array{LightType::directional, LightType::point, LightType::spot});
+    light.type = dice.one_of(light_kinds).type;
     light.enabled = !dice.one_in(8);
     light.color = dice.vector(0.2, 1);
     light.ambient = dice.one_in(2) ? dice.between(0, 0.3) : 0;

@@ -31,9 +31,9 @@ std::optional<std::size_t> find_row(const WorkPrecision &measured, std::size_t m
 bool is_base(const MeasuredRow &row);
 /// How many rows have a mark: too little of their pictures is compared.
 std::size_t marked_rows(const WorkPrecision &measured);
-/// The models that some row has, in the order lambert, phong, blinn-phong.
+/// The models that some row has, in the order of technique.h's table.
 std::vector<Model> models_of(const WorkPrecision &measured);
-/// The same in the order in which pages list them: from blinn_phong to lambert.
+/// The same in the order in which pages list them: the other way round.
 std::vector<Model> richest_first(const WorkPrecision &measured);
 /// The mesh that is the scene's own.
 std::size_t own_mesh(const WorkPrecision &measured);
