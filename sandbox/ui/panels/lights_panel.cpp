@@ -31,10 +31,11 @@ void kind_switches(Session &session) {
 
 void kind_choice(Session &session, Light &light) {
     for (const LightKind &kind : light_kinds) {
+        const std::string name(kind.word);
         if (&kind != light_kinds.begin()) {
-            ImGui::SameLine();
+            same_line_if_fits(ImGui::CalcTextSize(name.c_str()).x + ImGui::GetFrameHeight() * 1.4F);
         }
-        if (ImGui::RadioButton(std::string(kind.word).c_str(), light.type == kind.type)) {
+        if (ImGui::RadioButton(name.c_str(), light.type == kind.type)) {
             set_type(light, kind.type, session.document.scene.camera);
         }
     }
