@@ -69,8 +69,8 @@ void draw_divider(ByteImage &picture, int split) {
     const int from = std::max(0, split - (thickness + 1) / 2);
     const int to = std::min(picture.size.width, from + thickness);
     for (int y = 0; y < picture.size.height; ++y) {
-        const auto row = picture.rgb.begin() + static_cast<std::ptrdiff_t>(3) * y * picture.size.width;
-        std::fill(row + 3 * from, row + 3 * to, static_cast<std::uint8_t>(255));
+        const auto row = picture.rgb.begin() + std::ptrdiff_t{3} * y * picture.size.width;
+        std::fill(row + std::ptrdiff_t{3} * from, row + std::ptrdiff_t{3} * to, static_cast<std::uint8_t>(255));
     }
 }
 

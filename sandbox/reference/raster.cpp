@@ -202,7 +202,8 @@ void Rasteriser::draw_triangle(const Entry &entry, int first_row, std::span<Hit>
                                 (e[2] > 0 || (e[2] == 0 && edges.owned[2]));
             const double inverse_w = (e[0] * nearness.x + e[1] * nearness.y + e[2] * nearness.z) /
                                      (e[0] * p[0].z + e[1] * p[1].z + e[2] * p[2].z);
-            Hit &hit = hits[static_cast<std::size_t>((row - first_row) * size_.width + column)];
+            const int pixel = (row - first_row) * size_.width + column;
+            Hit &hit = hits[static_cast<std::size_t>(pixel)];
             if (!inside) {
                 const double beside = std::clamp(inverse_w, edges.lowest, edges.highest);
                 hit.beside = std::max(hit.beside, beside <= depth_.nearest() ? beside : 0);

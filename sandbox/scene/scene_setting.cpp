@@ -99,7 +99,7 @@ class Setting {
     std::string take_key() {
         const bool first = rest_.size() == path_.size();
         const std::size_t begin = first ? 0 : 1;
-        const std::string key(rest_.substr(begin, rest_.find_first_of(".[", begin) - begin));
+        std::string key(rest_.substr(begin, rest_.find_first_of(".[", begin) - begin));
         if (key.empty() || (!first && rest_.front() != '.')) {
             refuse("expected a path such as lights[0].diffuse");
         }

@@ -33,8 +33,8 @@ std::vector<PreparedObject> prepare_objects(const Scene &scene, const Technique 
 std::vector<Features> object_features(const Scene &scene, const Technique &technique,
                                       const std::vector<ObjectResources> &resources) {
     std::vector<Features> all;
-    for (PreparedObject &object : prepare_objects(scene, technique, resources)) {
-        all.push_back(std::move(object.features));
+    for (const PreparedObject &object : prepare_objects(scene, technique, resources)) {
+        all.push_back(object.features);
     }
     return all;
 }

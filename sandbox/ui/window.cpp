@@ -46,7 +46,7 @@ std::filesystem::path capture_views(const Session &session, ViewPainter &painter
         return textbook_picture(s, renderer.resources().load(s), t, size).color;
     };
     const Image linear = draw_picture(scene, options, draw, textbook);
-    const auto path = std::filesystem::absolute(free_name(capture_folder(), session.document.opened->name));
+    auto path = std::filesystem::absolute(free_name(capture_folder(), session.document.opened->name));
     write_file(path, encode_png(show_picture(linear, options)));
     write_file(sidecar_path(path), sidecar_text(scene, options, by));
     return path;

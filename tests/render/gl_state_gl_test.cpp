@@ -24,7 +24,8 @@ TEST_F(GlState, IsRestoredAtTheEndOfAPassEvenIfSomethingThrows) {
         throw InputError("refused");
     } catch (const InputError &) {
     }
-    for (const GLenum capability : {GL_DEPTH_TEST, GL_CULL_FACE, GL_DEPTH_CLAMP, GL_POLYGON_OFFSET_LINE}) {
+    const GLenum enabled[] = {GL_DEPTH_TEST, GL_CULL_FACE, GL_DEPTH_CLAMP, GL_POLYGON_OFFSET_LINE};
+    for (const GLenum capability : enabled) {
         EXPECT_FALSE(glIsEnabled(capability)) << capability;
     }
     const auto value = [](GLenum name) {

@@ -73,9 +73,9 @@ Plane along_columns(const Plane &in, const Kernel &kernel) {
     Plane out(in.width, in.height);
     for_rows(in.height, [&](int y) {
         float *to = out.row(y);
-        for (int k = -radius; k <= radius; ++k) {
-            const float weight = kernel[static_cast<std::size_t>(k + radius)];
-            const float *from = in.row(std::clamp(y + k, 0, in.height - 1));
+        for (int k = 0; k <= 2 * radius; ++k) {
+            const float weight = kernel[static_cast<std::size_t>(k)];
+            const float *from = in.row(std::clamp(y + k - radius, 0, in.height - 1));
             for (int x = 0; x < in.width; ++x) {
                 to[x] += weight * from[x];
             }

@@ -27,6 +27,7 @@ PlotSeries series_of(const WorkPrecision &m, const Technique &technique, ErrorNo
 
 std::vector<std::string> series_names() {
     std::vector<std::string> names;
+    names.reserve(all_frequencies.size());
     for (const Frequency frequency : all_frequencies) {
         names.emplace_back(name_of(frequency));
     }

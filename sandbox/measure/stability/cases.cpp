@@ -92,8 +92,9 @@ class CaseReader {
 
     [[nodiscard]] std::string words(const char *key) const {
         const json value = json_.value(key, json());
-        expect(value.is_string() && value != "", key, "a string that is not empty");
-        return value;
+        const std::string text = value.is_string() ? value.get<std::string>() : "";
+        expect(!text.empty(), key, "a string that is not empty");
+        return text;
     }
 
     /// Runs `work`; what it says is wrong is said with the file and the key.

@@ -20,6 +20,7 @@ std::string verdict_text(Verdict verdict, const StabilityRow &row) {
 
 std::vector<ListedCase> list_cases(std::vector<StabilityCase> cases) {
     std::vector<ListedCase> list;
+    list.reserve(cases.size());
     for (StabilityCase &definition : cases) {
         list.push_back({std::move(definition), std::nullopt});
     }

@@ -45,7 +45,7 @@ fs::path first_free(const fs::path &folder, const std::string &name, const char 
 
 fs::path write_all(const std::string &folder_name, const std::string &stem, const std::string &html,
                    const std::string &json, const std::string &csv) {
-    const fs::path folder = fs::absolute(new_folder(capture_folder(), folder_name));
+    fs::path folder = fs::absolute(new_folder(capture_folder(), folder_name));
     write_file(folder / (stem + ".html"), html);
     write_file(folder / (stem + ".json"), json);
     write_file(folder / (stem + ".csv"), csv);

@@ -41,7 +41,7 @@ class ViewPainter {
 
     [[nodiscard]] const PaintedView &view(bool right) const { return sides_[right ? 1 : 0].shown; }
     [[nodiscard]] const PaintedMasks &masks(bool right) const { return masks_[right ? 1 : 0]; }
-    void show_masks(bool right, PaintedMasks masks) { masks_[right ? 1 : 0] = std::move(masks); }
+    void show_masks(bool right, const PaintedMasks &masks) { masks_[right ? 1 : 0] = masks; }
     /// 0 until both sides have a picture.
     [[nodiscard]] unsigned difference_texture() const { return difference_ ? difference_->texture() : 0; }
     /// The largest |A - B| of any channel, from the last measure_difference(); infinite if a pixel is not finite.
