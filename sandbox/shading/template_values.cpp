@@ -85,14 +85,11 @@ void add_array(TemplateValues &values, const LightKind &kind, const Features &pr
 
 std::string attenuation_denominator(const LightFeatures &f, const std::string &light) {
     std::vector<std::string> terms;
-    if (f.constant) {
-        terms.push_back(light + ".constant");
-    }
-    if (f.linear) {
-        terms.push_back(light + ".linear * d");
-    }
-    if (f.quadratic) {
-        terms.push_back(light + ".quadratic * d * d");
+    for (const auto &[there, term] :
+         {std::pair{f.constant, ".constant"}, {f.linear, ".linear * d"}, {f.quadratic, ".quadratic * d * d"}}) {
+        if (there) {
+            terms.push_back(light + term);
+        }
     }
     return sum_of(terms, "1.0");
 }
