@@ -198,15 +198,22 @@ class Branches {
         doubts_.rounding.highlight += amount.highlight;
     }
 
-    /// Where the corners' vectors nearly cancel, float32 turns what is left by this much.
+    /// Where the corners' vectors nearly cancel, float32 turns what is left by this much: only a surface that it may
+    /// turn to the light gets any.
     void doubt_short_vectors(std::size_t i, const LightVectors &vectors) {
         const LightTerms terms = sampler_.terms_at(here_, i);
         const double turn = 2 * rounding * (1 / here_.normal_length + excess(vectors.l_length));
         const double highlight_turn = turn + 2 * rounding * excess(vectors.highlight_length);
-        const double steepest = std::sqrt(std::max(raised_exponent(setup_, object_.material.shininess), 1.0)) * 2;
+        const double steepest = std::sqrt(std::max(terms.exponent, 1.0)) * 2;
         const Amounts amount = amounts(i, terms.vectors.a * terms.s, 1);
-        doubts_.rounding.body += amount.diffuse * std::min(turn, 1.0);
-        doubts_.rounding.highlight += amount.highlight * std::min(steepest * highlight_turn, 1.0);
+        const bool either_side = setup_.technique.direction == DirectionSign::unnegated_diffuse;
+        const bool gated = setup_.technique.gate != Gate::none && setup_.technique.gate != Gate::view_facing;
+        if (either_side || terms.n_dot_l > -turn) {
+            doubts_.rounding.body += amount.diffuse * std::min(turn, 1.0);
+        }
+        if (!gated || terms.n_dot_l > -turn) {
+            doubts_.rounding.highlight += amount.highlight * std::min(steepest * highlight_turn, 1.0);
+        }
     }
 
     [[nodiscard]] bool adds_body() const { return terms_ != Terms::highlight; }

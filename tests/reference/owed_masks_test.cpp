@@ -112,6 +112,10 @@ TEST(OwedMasks, NormalsThatCancelMatterWhereLightReadsThem) {
     scene.objects.push_back(test::object_of(PlaneShape{}));
     scene.lights.push_back(test::directional_light({-1, 0, -1}));
     const Size size{101, 101};
+    const ReferenceFrame half_lit = cancelling_normals(scene, "per-pixel/phong", size);
+    EXPECT_EQ(half_lit.rounding[50 * 101 + 49], 1);
+    EXPECT_EQ(half_lit.rounding[50 * 101 + 51], 0) << "turned away, and 3e-5 turn it to no light";
+    scene.lights.push_back(test::directional_light({1, 0, -1}));
     // N is 0 in the middle column; one pixel beside it, it is 0.033 long, and float32 turns it by 3e-5.
     const ReferenceFrame lit = cancelling_normals(scene, "per-pixel/lambert", size);
     EXPECT_EQ(lit.rounding[50 * 101 + 50], 1);
@@ -119,7 +123,7 @@ TEST(OwedMasks, NormalsThatCancelMatterWhereLightReadsThem) {
     EXPECT_EQ(lit.rounding[50 * 101 + 57], 0) << "0.23 long: turned by 4e-6, far below any bound";
     EXPECT_EQ(count(cancelling_normals(scene, "per-vertex/lambert", size).rounding), 0) << "no normal is interpolated";
     EXPECT_GT(count(cancelling_normals(scene, "per-pixel/phong", size).rounding), count(lit.rounding));
-    scene.lights[0].color = {0, 0, 0};
+    scene.lights[0].color = scene.lights[1].color = {0, 0, 0};
     scene.ambient = {1, 1, 1};
     EXPECT_EQ(count(cancelling_normals(scene, "per-pixel/phong", size).rounding), 0);
 }

@@ -34,7 +34,7 @@ constexpr Size size{96, 96};
 constexpr int side = 4; ///< 16 samples a pixel
 constexpr double listed_share = 0.02, checked_share = 0.1;
 constexpr double level = 1.0 / 255; ///< of the brightest value where that is above 1
-constexpr double right = 2e-5;      ///< what a picture's arithmetic keeps anyhow
+constexpr double change = 1e-6;     ///< from which on masks take a jump for one
 
 double largest(const glm::dvec3 &v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
@@ -236,7 +236,7 @@ std::string unowed(const SpitefulScene &one, const std::vector<ObjectResources> 
     if (static_cast<double>(count) <= listed_share * static_cast<double>(shown)) {
         return {};
     }
-    const std::vector<bool> owed = owed_pixels(one.scene, resources, one.technique, truth, right);
+    const std::vector<bool> owed = owed_pixels(one.scene, resources, one.technique, truth, change);
     count = 0;
     double most = 0;
     for (std::size_t i = 0; i < uses.size(); ++i) {

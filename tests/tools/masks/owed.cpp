@@ -16,7 +16,7 @@
 namespace sandbox {
 namespace {
 
-using reference::rounding;
+constexpr double step = 2 * reference::rounding; ///< those of normals and of positions together
 
 /// The picture moves by `right` and `down` pixels; nothing is lit otherwise but what V of an orthographic camera is.
 Scene turned(Scene scene, Size size, double right, double down) {
@@ -44,6 +44,15 @@ Scene pulled_apart(Scene scene, const std::vector<ObjectResources> &resources, c
     return scene;
 }
 
+/// To and fro along their own axes, as far as that: where a light stands on a surface, these are the directions that
+/// its cone lets through.
+Scene along_their_axes(Scene scene, double by) {
+    for (Light &light : scene.lights) {
+        light.position += by * glm::length(light.position - scene.camera.position) * glm::normalize(light.direction);
+    }
+    return scene;
+}
+
 Scene other_directions(Scene scene, const glm::dvec3 &by) {
     for (Light &light : scene.lights) {
         light.direction += by * glm::length(light.direction);
@@ -56,7 +65,7 @@ Scene wider_cones(Scene scene) {
     for (Light &light : scene.lights) {
         if (has_cone(light)) {
             const bool hard = light.inner_cutoff_degrees == light.cutoff_degrees;
-            light.cutoff_degrees = std::min(light.cutoff_degrees + glm::degrees(4 * rounding), 90.0);
+            light.cutoff_degrees = std::min(light.cutoff_degrees + glm::degrees(2 * step), 90.0);
             light.inner_cutoff_degrees = hard ? light.cutoff_degrees : light.inner_cutoff_degrees;
         }
     }
@@ -92,9 +101,14 @@ std::vector<bool> owed_pixels(const Scene &placed, const std::vector<ObjectResou
     for (const double sign : {-1.0, 1.0}) {
         note(turned(scene, truth.size, reference::edge_width, sign * reference::edge_width), resources);
         note(turned(scene, truth.size, -reference::edge_width, sign * reference::edge_width), resources);
+        note(along_their_axes(scene, sign * step), resources);
+        for (int corner = 0; corner < 4; ++corner) {
+            const glm::dvec3 way(1, corner % 2 == 0 ? 1 : -1, corner < 2 ? 1 : -1);
+            note(pulled_apart(scene, resources, sign * step * way), resources);
+        }
         for (int axis = 0; axis < 3; ++axis) {
             glm::dvec3 by(0);
-            by[axis] = sign * rounding;
+            by[axis] = sign * step;
             note(pulled_apart(scene, resources, by), resources);
             note(other_directions(scene, by), resources);
             note(scene, other_normals(resources, by));

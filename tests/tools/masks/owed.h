@@ -10,7 +10,7 @@
 namespace sandbox {
 
 /// Proves masks by the truth alone, without what the reference knows of branches: the picture is moved by
-/// reference::edge_width, lights against objects, directions and normals by reference::rounding, one axis at a time,
+/// reference::edge_width, lights against objects, directions and normals by two reference::rounding, one way at a time,
 /// and cones are made wider. True where the truth then changes by more than `negligible`: float32, which may round that
 /// way, may draw either.
 std::vector<bool> owed_pixels(const Scene &scene, const std::vector<ObjectResources> &resources,
