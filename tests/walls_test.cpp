@@ -37,6 +37,7 @@ const std::map<std::string, Names, std::less<>> inner_rooms_below = {
     {"measure/report", {"measure/metrics", "measure/work_precision", "measure/stability"}},
     {"ui/session", {}},
     {"ui/widgets", {"ui/session"}},
+    {"ui/script", {}},
     {"ui/views", {"ui/session", "ui/widgets"}},
     {"ui/jobs", {"ui/session", "ui/widgets"}},
     {"ui/panels", {"ui/session", "ui/widgets", "ui/views", "ui/jobs"}},

@@ -19,23 +19,12 @@
 namespace sandbox {
 namespace {
 
-constexpr int longest_side = 16384;
-constexpr long most_pixels = 64L << 20;
-
 /// A view brings its own camera, so a --set of the scene's camera would be lost silently.
 void refuse_lost_settings(const CommonOptions &common) {
     for (const std::string &setting : common.settings) {
         if (setting.starts_with("camera")) {
             throw InputError("--set {}: has no effect with --view, which brings its own camera", setting);
         }
-    }
-}
-
-void check_size(Size size) {
-    const auto side_ok = [](int side) { return side >= 1 && side <= longest_side; };
-    if (!side_ok(size.width) || !side_ok(size.height) || static_cast<long>(size.width) * size.height > most_pixels) {
-        throw InputError("expected WIDTHxHEIGHT with 1 to {} each and at most {} Mpixel in all, got {}x{}",
-                         longest_side, most_pixels >> 20, size.width, size.height);
     }
 }
 
@@ -68,20 +57,6 @@ std::optional<PictureOptions> sidecar_of(const std::string &scene) {
         check_positive(scene + ": gain", options->gain);
     }
     return options;
-}
-
-Size parse_size(std::string_view text) {
-    Size size;
-    const char *const end = text.data() + text.size();
-    const auto width = std::from_chars(text.data(), end, size.width);
-    if (width.ec == std::errc() && width.ptr != end && *width.ptr == 'x') {
-        const auto height = std::from_chars(width.ptr + 1, end, size.height);
-        if (height.ec == std::errc() && height.ptr == end) {
-            check_size(size);
-            return size;
-        }
-    }
-    throw InputError("expected WIDTHxHEIGHT such as 1280x720, got '{}'", text);
 }
 
 void check_positive(std::string_view flag, double value) {

@@ -3,6 +3,7 @@
 #include "capture/picture.h"
 #include "image/error.h"
 #include "image/image.h"
+#include "image/picture_size.h"
 #include "scene/assets.h"
 #include "scene/resources.h"
 #include "scene/scene.h"
@@ -33,9 +34,6 @@ Scene open_scene(const CommonOptions &common, const std::string &scene, const st
 
 /// The options in the sidecar SCENE, checked; nothing if SCENE is not a sidecar.
 std::optional<PictureOptions> sidecar_of(const std::string &scene);
-
-/// WIDTHxHEIGHT: 1 to 16384 each and at most 64 Mpixel.
-Size parse_size(std::string_view text);
 
 /// Runs `work`; an InputError gets the flag's name in front.
 template <typename Work> auto with_flag(std::string_view flag, Work work) {

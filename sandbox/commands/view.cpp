@@ -1,5 +1,6 @@
 #include "commands/commands.h"
-#include "ui/window.h"
+#include "ui/run_script.h"
+#include "ui/run_window.h"
 
 #include <cstdlib>
 
@@ -9,6 +10,9 @@ namespace {
 struct ViewFlags {
     std::string scene = "three-point-lights";
     std::optional<Technique> left, right; ///< absent: a sidecar's or the window's own
+    std::string script;                   ///< a file; empty: a person works the window
+    Size size{1280, 720};
+    bool no_times = false;
 };
 
 bool has_display_server() {
@@ -32,6 +36,11 @@ int run_view(const ViewFlags &flags, const CommonOptions &common) {
     if (flags.right) {
         options.file.right = flags.right;
     }
+    options.size = flags.size;
+    options.run_times = !flags.no_times;
+    if (!flags.script.empty()) {
+        return run_script(flags.script, options);
+    }
     if (!has_display_server()) {
         throw MachineError("no display server (DISPLAY and WAYLAND_DISPLAY are unset), so no window can open. Use "
                            "`shading-sandbox capture SCENE --out FILE.png` for pictures without a window, or run.sh");
@@ -52,6 +61,11 @@ void add_view(CLI::App &app, CommonOptions &common, Run &run) {
                "Technique of the left view, A [per-vertex/phong]");
     add_parsed(command, "--right", "T", flags->right, parse_technique,
                "Technique of the right view, B [per-pixel/blinn-phong]");
+    add_value(command, "--script", "FILE", flags->script,
+              "Works the window by the actions in FILE, without a display; they are listed below");
+    add_parsed(command, "--size", "WxH", flags->size, parse_size, "Size of the window at first [1280x720]");
+    command.add_flag("--no-times", flags->no_times, "Hides run times, so that pictures of the window repeat");
+    command.footer("A script has an action on each line, # begins a comment:\n" + script_help());
     run_when_chosen(command, common, run, flags, run_view);
 }
 

@@ -62,10 +62,29 @@ bool Context::software() {
                                [&](const char *known) { return name.find(known) != std::string::npos; });
 }
 
-void begin_window_surface(Size framebuffer) {
-    const PassState pass(0, framebuffer, DepthTest::off);
-    glClearColor(0, 0, 0, 1);
-    glClear(GL_COLOR_BUFFER_BIT);
+void begin_window_surface(unsigned framebuffer, Size size) {
+    {
+        const PassState pass(framebuffer, size, DepthTest::off);
+        glClearColor(0, 0, 0, 1);
+        glClear(GL_COLOR_BUFFER_BIT);
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+}
+
+ByteImage read_window_surface(unsigned framebuffer, Size size) {
+    ByteImage image{size, {}};
+    const std::size_t row = 3 * static_cast<std::size_t>(size.width);
+    image.rgb.resize(row * static_cast<std::size_t>(size.height));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+    glReadBuffer(framebuffer == 0 ? GL_BACK : GL_COLOR_ATTACHMENT0);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    for (int y = 0; y < size.height; ++y) {
+        glReadPixels(0, size.height - 1 - y, size.width, 1, GL_RGB, GL_UNSIGNED_BYTE,
+                     image.rgb.data() + row * static_cast<std::size_t>(y));
+    }
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    check_gl("read the window back");
+    return image;
 }
 
 } // namespace sandbox

@@ -10,6 +10,31 @@ namespace sandbox {
 
 enum class Backend { egl, glfw };
 
+/// A second OpenGL context for one more thread; the functions are those that the first one loaded.
+class WorkerContext {
+  public:
+    WorkerContext() = default;
+    virtual ~WorkerContext() = default;
+    WorkerContext(const WorkerContext &) = delete;
+    WorkerContext &operator=(const WorkerContext &) = delete;
+
+    /// While it lives, the calling thread draws in this context. Throws MachineError if the driver refuses.
+    class Current {
+      public:
+        explicit Current(const WorkerContext &context) : context_(context) { context_.make_current(); }
+        ~Current() { context_.release(); }
+        Current(const Current &) = delete;
+        Current &operator=(const Current &) = delete;
+
+      private:
+        const WorkerContext &context_;
+    };
+
+  private:
+    virtual void make_current() const = 0;
+    virtual void release() const = 0;
+};
+
 /// A current OpenGL 3.3 core context with its functions loaded. One at a time per thread.
 class Context {
   public:
@@ -24,6 +49,9 @@ class Context {
     /// GL_RENDERER, GL_VERSION: "llvmpipe (LLVM 15.0.6, 256 bits)", "3.3 (Core Profile) Mesa 22.3.6".
     [[nodiscard]] std::string renderer() const;
     [[nodiscard]] std::string version() const;
+    /// Of the same driver; made and destroyed on this context's thread, before it. Throws MachineError where there can
+    /// be no second context.
+    [[nodiscard]] virtual std::unique_ptr<WorkerContext> make_worker() const = 0;
     /// Whether the current context draws on the CPU: llvmpipe, softpipe, swrast. Their times need glFinish.
     [[nodiscard]] static bool software();
 
@@ -33,8 +61,10 @@ class Context {
     static void load_functions(void (*(*get_proc_address)(const char *))());
 };
 
-/// Binds the window's own framebuffer, all of it, and clears it to black: before a frame is drawn into it.
-void begin_window_surface(Size framebuffer);
+/// Binds the window's framebuffer (0: its own), all of it, and clears it to black: before a frame is drawn into it.
+void begin_window_surface(unsigned framebuffer, Size size);
+/// What has been drawn there, top row first.
+ByteImage read_window_surface(unsigned framebuffer, Size size);
 
 constexpr std::string_view opengl_install_hint =
     "install a driver, or Mesa's software one (Debian and Ubuntu: apt install libegl1 libgl1-mesa-dri)";

@@ -40,6 +40,35 @@ std::vector<EGLDisplay> candidate_displays() {
     return displays;
 }
 
+constexpr std::array<EGLint, 7> core_3_3{
+    EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+    EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+
+class EglWorker final : public WorkerContext {
+  public:
+    EglWorker(EGLDisplay display, EGLConfig config)
+        : display_(display), context_(eglCreateContext(display, config, EGL_NO_CONTEXT, core_3_3.data())) {
+        if (context_ == EGL_NO_CONTEXT) {
+            throw MachineError("there can be no second OpenGL context (EGL error {:#06x})", eglGetError());
+        }
+    }
+    ~EglWorker() override { eglDestroyContext(display_, context_); }
+    EglWorker(const EglWorker &) = delete;
+    EglWorker &operator=(const EglWorker &) = delete;
+
+  private:
+    void make_current() const override {
+        eglBindAPI(EGL_OPENGL_API); // of this thread
+        if (eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) != EGL_TRUE) {
+            throw MachineError("the second OpenGL context cannot be made current (EGL error {:#06x})", eglGetError());
+        }
+    }
+    void release() const override { eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
+
+    EGLDisplay display_;
+    EGLContext context_;
+};
+
 /// A display that was initialised, and a context on it that is current without a surface.
 class EglContext final : public Context {
   public:
@@ -68,9 +97,6 @@ class EglContext final : public Context {
         if (eglChooseConfig(display_, wanted.data(), &config_, 1, &count) != EGL_TRUE || count == 0) {
             return false;
         }
-        constexpr std::array<EGLint, 7> core_3_3{
-            EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
-            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
         if (make_current(core_3_3.data())) {
             load_functions(eglGetProcAddress);
             return true;
@@ -79,6 +105,10 @@ class EglContext final : public Context {
             found = "OpenGL " + version_string();
         }
         return false;
+    }
+
+    [[nodiscard]] std::unique_ptr<WorkerContext> make_worker() const override {
+        return std::make_unique<EglWorker>(display_, config_);
     }
 
   private:

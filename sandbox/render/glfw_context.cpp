@@ -8,11 +8,42 @@
 namespace sandbox {
 namespace {
 
+void use_context(GLFWwindow *window) {
+    glfwMakeContextCurrent(window);
+    if (glfwGetCurrentContext() != window) {
+        throw MachineError("the window's OpenGL context cannot be made current: {}", glfw_error());
+    }
+}
+
+/// That of one more hidden window.
+class WindowWorker final : public WorkerContext {
+  public:
+    WindowWorker() {
+        glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE); // the other hints are as the first window set them
+        window_ = glfwCreateWindow(1, 1, "measuring", nullptr, nullptr);
+        if (window_ == nullptr) {
+            throw MachineError("there can be no second OpenGL context: {}", glfw_error());
+        }
+    }
+    ~WindowWorker() override { glfwDestroyWindow(window_); }
+    WindowWorker(const WindowWorker &) = delete;
+    WindowWorker &operator=(const WindowWorker &) = delete;
+
+  private:
+    void make_current() const override { use_context(window_); }
+    void release() const override { glfwMakeContextCurrent(nullptr); }
+
+    GLFWwindow *window_ = nullptr;
+};
+
 class WindowContext : public Context {
   public:
     explicit WindowContext(GLFWwindow *window) {
-        make_current(window);
+        use_context(window);
         load_functions(glfwGetProcAddress);
+    }
+    [[nodiscard]] std::unique_ptr<WorkerContext> make_worker() const override {
+        return std::make_unique<WindowWorker>();
     }
 };
 
@@ -54,13 +85,6 @@ class HiddenWindowContext final : private HiddenWindow, public WindowContext {
 
 std::unique_ptr<Context> make_hidden_window_context() { return std::make_unique<HiddenWindowContext>(); }
 std::unique_ptr<Context> make_window_context(GLFWwindow *window) { return std::make_unique<WindowContext>(window); }
-
-void make_current(GLFWwindow *window) {
-    glfwMakeContextCurrent(window);
-    if (glfwGetCurrentContext() != window) {
-        throw MachineError("the window's OpenGL context cannot be made current: {}", glfw_error());
-    }
-}
 
 std::string glfw_error() {
     const char *reason = nullptr;

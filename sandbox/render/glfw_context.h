@@ -13,9 +13,6 @@ std::unique_ptr<Context> make_hidden_window_context();
 /// OpenGL in a window that somebody else owns; its context becomes current. Throws MachineError.
 std::unique_ptr<Context> make_window_context(GLFWwindow *window);
 
-/// Makes the window's context current on this thread. Throws MachineError if the driver refuses.
-void make_current(GLFWwindow *window);
-
 /// What GLFW says of the last thing that went wrong; "no reason given" if it says nothing.
 std::string glfw_error();
 

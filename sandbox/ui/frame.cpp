@@ -5,6 +5,7 @@
 #include "ui/panels/side_panel.h"
 #include "ui/views/viewports.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
 
 #include <algorithm>
 #include <imgui.h>
@@ -60,6 +61,9 @@ void status_line(Session &session, float height) {
         status.hidden_hint.clear();
     }
     ImGui::SetCursorPosY((height - ImGui::GetTextLineHeight()) / 2);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    describe_text(session, "Status", low,
+                  {low.x + ImGui::GetContentRegionAvail().x, low.y + ImGui::GetTextLineHeight()}, session.message.text);
     if (!session.hint.empty() && session.hint != status.hidden_hint) {
         ImGui::TextColored(quiet_text(), "%s", session.hint.c_str());
     } else if (session.message.error) {

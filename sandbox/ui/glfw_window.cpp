@@ -1,19 +1,15 @@
 #include "ui/glfw_window.h"
 
 #include "image/error.h"
+#include "render/glfw_context.h"
 #include "ui/keys.h"
 
 #include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
 
 namespace sandbox {
 
 namespace {
-
-std::string last_glfw_error() {
-    const char *text = nullptr;
-    glfwGetError(&text);
-    return text != nullptr ? text : "no reason given";
-}
 
 Arrivals &arrivals_of(GLFWwindow *window) {
     auto &arrivals = *static_cast<Arrivals *>(glfwGetWindowUserPointer(window));
@@ -52,13 +48,13 @@ void set_hints() {
 GlfwWindow::GlfwWindow(Size size) {
     if (glfwInit() != GLFW_TRUE) {
         throw MachineError(
-            "no window can be opened here (" + last_glfw_error() +
+            "no window can be opened here (" + glfw_error() +
             "): run this in a desktop session, or use `shading-sandbox capture`, which needs no display");
     }
     set_hints();
     window_ = glfwCreateWindow(size.width, size.height, "Shading Sandbox", nullptr, nullptr);
     if (window_ == nullptr) {
-        const std::string reason = last_glfw_error();
+        const std::string reason = glfw_error();
         glfwTerminate();
         throw MachineError("no window with OpenGL 3.3 can be opened here (" + reason +
                            "): a newer graphics driver may help; Mesa's llvmpipe (libgl1-mesa-dri) needs no GPU");
@@ -66,12 +62,20 @@ GlfwWindow::GlfwWindow(Size size) {
     glfwSetWindowSizeLimits(window_, 480, 320, GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwSetWindowUserPointer(window_, &arrivals_);
     install_callbacks(window_);
+    context_ = make_window_context(window_);
 }
 
 GlfwWindow::~GlfwWindow() {
+    context_.reset();
     glfwDestroyWindow(window_);
     glfwTerminate();
 }
+
+void GlfwWindow::begin_gui() { ImGui_ImplGlfw_InitForOpenGL(window_, true); } // chains to the installed callbacks
+void GlfwWindow::end_gui() { ImGui_ImplGlfw_Shutdown(); }
+void GlfwWindow::feed_gui() { ImGui_ImplGlfw_NewFrame(); }
+
+void GlfwWindow::present() { glfwSwapBuffers(window_); }
 
 void GlfwWindow::install_callbacks(GLFWwindow *window) {
     glfwSetKeyCallback(window, on_key);

@@ -3,28 +3,27 @@
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
 
-#include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
 namespace sandbox {
 
-Gui::Gui(GLFWwindow *window, float content_scale) : content_scale_(content_scale) {
+Gui::Gui(Host &host) : host_(host) {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGuiIO &io = ImGui::GetIO();
     io.IniFilename = nullptr;
     io.LogFilename = nullptr;
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-    io.ConfigInputTextCursorBlink = false;      // a blinking cursor would need frames while nothing happens
-    ImGui_ImplGlfw_InitForOpenGL(window, true); // chains to the installed callbacks
-    ImGui_ImplOpenGL3_Init("#version 330 core");
+    io.ConfigInputTextCursorBlink = false; // a blinking cursor would need frames while nothing happens
+    host_.begin_gui();
     io.KeyMap[ImGuiKey_Tab] = -1; // Tab hides the panels
+    ImGui_ImplOpenGL3_Init("#version 330 core");
 }
 
 Gui::~Gui() {
     ImGui_ImplOpenGL3_Shutdown();
-    ImGui_ImplGlfw_Shutdown();
+    host_.end_gui();
     ImGui::DestroyContext();
 }
 
@@ -42,12 +41,12 @@ void Gui::restyle(bool dark, float scale) {
 }
 
 void Gui::begin_frame(const Appearance &appearance) {
-    const float scale = appearance.scale * content_scale_;
+    const float scale = appearance.scale * host_.content_scale();
     if (scale != scale_ || appearance.dark != dark_) {
         restyle(appearance.dark, scale);
     }
     ImGui_ImplOpenGL3_NewFrame();
-    ImGui_ImplGlfw_NewFrame();
+    host_.feed_gui();
     ImGui::NewFrame();
 }
 

@@ -1,16 +1,15 @@
 #pragma once
 
+#include "ui/host.h"
 #include "ui/session/session.h"
-
-struct GLFWwindow;
 
 namespace sandbox {
 
-/// Dear ImGui in a window: its context, its backends, its fonts and colours.
+/// Dear ImGui: its context, its OpenGL backend, its fonts and colours.
 class Gui {
   public:
-    /// `content_scale`: the screen's own magnification. Needs the window's context to be current.
-    Gui(GLFWwindow *window, float content_scale);
+    /// Needs the host's context to be current.
+    explicit Gui(Host &host);
     ~Gui();
     Gui(const Gui &) = delete;
     Gui &operator=(const Gui &) = delete;
@@ -23,7 +22,7 @@ class Gui {
   private:
     void restyle(bool dark, float scale);
 
-    float content_scale_;
+    Host &host_;
     bool dark_ = true;
     float scale_ = 0; ///< of the fonts that are loaded; 0: none yet
 };

@@ -17,6 +17,7 @@ class MaskOverlay {
     void update(const Session &session, ViewPainter &painter);
     /// News of the jobs since the last call.
     News take_news();
+    [[nodiscard]] bool busy() const { return sides_[0].job || sides_[1].job; }
 
   private:
     struct Key {

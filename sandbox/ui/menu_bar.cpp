@@ -14,14 +14,24 @@ namespace sandbox {
 
 namespace {
 
+bool begin_menu(Session &session, const char *title) {
+    const bool open = ImGui::BeginMenu(title);
+    if (!open) { // an open one has begun a window: there is no last item
+        describe_item(session, title, "");
+    }
+    return open;
+}
+
 void scene_menu(Session &session) {
-    if (!ImGui::BeginMenu("Scene")) {
+    if (!begin_menu(session, "Scene")) {
         return;
     }
     for (const std::string &name : session.scenes) {
+        const ScopedName menu(session, "Scene");
         if (ImGui::MenuItem(name.c_str(), nullptr, name == session.document.opened->name)) {
             session.requests.open = name;
         }
+        describe_item(session, name, "");
     }
     ImGui::Separator();
     ImGui::TextColored(quiet_text(), "or drop a .json or .obj file on the window");
@@ -29,17 +39,19 @@ void scene_menu(Session &session) {
 }
 
 void action_menu(Session &session, const char *title, Action::Group group) {
-    if (!ImGui::BeginMenu(title)) {
+    if (!begin_menu(session, title)) {
         return;
     }
     for (const Action &action : actions()) {
         if (action.group == group) {
+            const ScopedName menu(session, title);
             std::string name = action.name;
             name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
             if (ImGui::MenuItem(name.c_str(), action.shown.c_str(), action.is_on && action.is_on(session),
                                 !action.is_usable || action.is_usable(session))) {
                 action.run(session);
             }
+            describe_item(session, action.name, "");
         }
     }
     ImGui::EndMenu();

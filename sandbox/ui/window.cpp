@@ -4,29 +4,20 @@
 #include "image/image_file.h"
 #include "measure/stability/textbook.h"
 #include "render/context.h"
-#include "render/glfw_context.h"
 #include "scene/scene_file.h"
 #include "ui/frame.h"
-#include "ui/glfw_window.h"
-#include "ui/gui.h"
 #include "ui/keys.h"
-#include "ui/mask_overlay.h"
-#include "ui/session/open_file.h"
 #include "ui/session/written_files.h"
 
-#include <GLFW/glfw3.h>
 #include <algorithm>
 #include <fmt/format.h>
 #include <imgui.h>
-#include <memory>
 
 namespace sandbox {
 
 namespace {
 
-constexpr Size first_size{1280, 720};
 constexpr int settling_frames = 3; // Dear ImGui answers an input over up to three frames
-constexpr double shader_poll_seconds = 0.5;
 
 Document first_document(const WindowOptions &options) {
     const Document plain = document_of(options.file.name, options.file.scene, options.left, options.right);
@@ -52,40 +43,15 @@ std::filesystem::path capture_views(const Session &session, ViewPainter &painter
     return path;
 }
 
-/// The parts of a running window: made in this order, destroyed in reverse.
-class Window {
-  public:
-    explicit Window(const WindowOptions &options);
-    void run();
+} // namespace
 
-  private:
-    void wait();
-    void take_input();
-    void draw();
-    void answer_requests();
-    void open(const std::string &name_or_path);
-    void load(const Scene &scene, const std::string &message);
-    void capture();
-
-    Assets assets_;
-    bool polls_shaders_;
-    GlfwWindow window_;
-    std::unique_ptr<Context> context_;
-    Gui gui_;
-    ViewPainter painter_;
-    Session session_;
-    BottomPanel bottom_;
-    MaskOverlay masks_;
-    std::string shown_title_;
-    int frames_left_ = settling_frames;
-};
-
-Window::Window(const WindowOptions &options)
-    : assets_(options.assets), polls_shaders_(!options.shaders.folder().empty()), window_(first_size),
-      context_(make_window_context(window_.handle())), gui_(window_.handle(), window_.content_scale()),
+Window::Window(const WindowOptions &options, Host &host)
+    : assets_(options.assets), polls_shaders_(!options.shaders.folder().empty()),
+      host_(host), drawn_by_{host.context().renderer(), host.context().version()}, gui_(host),
       painter_(options.assets, options.shaders), session_(first_document(options)),
-      bottom_({options.assets, options.shaders, {context_->renderer(), context_->version()}}) {
+      bottom_({options.assets, options.shaders, drawn_by_, &host.context()}), frames_left_(settling_frames) {
     take_view(session_.view, options.file);
+    session_.appearance.run_times = options.run_times;
     session_.scenes = builtin_scenes(assets_);
     session_.textures = assets_.list("textures/");
     for (std::string &texture : session_.textures) {
@@ -94,33 +60,18 @@ Window::Window(const WindowOptions &options)
     attempt(session_, "", [&] { load(options.file.scene, "Drag to orbit, wheel to come closer.  ? lists the keys."); });
 }
 
-void Window::run() {
-    draw();
-    window_.show();
-    while (!window_.close_asked() && !session_.requests.quit) {
-        wait();
-        take_input();
-        if (frames_left_ > 0) {
-            draw();
-            answer_requests();
-        }
+void Window::step() {
+    take_input();
+    if (frames_left_ > 0) {
+        draw();
+        answer_requests();
     }
-    window_.hide(); // work in the background may take a moment to stop
 }
 
-/// No event, no frame.
-void Window::wait() {
-    if (frames_left_ > 0) {
-        glfwPollEvents();
-    } else if (polls_shaders_) {
-        glfwWaitEventsTimeout(shader_poll_seconds);
-    } else {
-        glfwWaitEvents();
-    }
-}
+bool Window::busy() const { return bottom_.busy() || masks_.busy(); }
 
 void Window::take_input() {
-    const Arrivals arrivals = window_.take_arrivals();
+    const Arrivals arrivals = host_.take_arrivals();
     const bool reloaded = polls_shaders_ && painter_.reload_changed_shaders();
     frames_left_ = arrivals.any || reloaded ? settling_frames : frames_left_;
     const News news = std::max(bottom_.take_news(session_), masks_.take_news());
@@ -140,27 +91,28 @@ void Window::take_input() {
     if (!arrivals.dropped.empty()) {
         session_.requests.open = arrivals.dropped.front();
     }
-    session_.view.show_right = window_.space_held() && !typing && !ImGui::GetIO().NavVisible; // else Space presses
+    session_.view.show_right = host_.space_held() && !typing && !ImGui::GetIO().NavVisible; // else Space presses
 }
 
 void Window::draw() {
     --frames_left_;
-    const Size size = window_.framebuffer_size();
+    const Size size = host_.framebuffer_size();
     if (size.width == 0 || size.height == 0) {
         return; // minimised
     }
     const std::string title = session_.document.opened->name + " - Shading Sandbox";
     if (title != shown_title_) {
-        window_.set_title(title);
+        host_.set_title(title);
         shown_title_ = title;
     }
-    window_.set_full_screen(session_.appearance.full_screen);
+    host_.set_full_screen(session_.appearance.full_screen);
+    session_.widgets.begin_frame();
     gui_.begin_frame(session_.appearance);
     masks_.update(session_, painter_);
     draw_frame(session_, painter_, bottom_);
-    begin_window_surface(size);
+    begin_window_surface(host_.framebuffer(), size);
     gui_.end_frame();
-    glfwSwapBuffers(window_.handle());
+    host_.present();
 }
 
 void Window::answer_requests() {
@@ -200,16 +152,8 @@ void Window::load(const Scene &scene, const std::string &message) {
 
 void Window::capture() {
     attempt(session_, "Not captured: ", [&] {
-        const DrawnBy by{context_->renderer(), context_->version()};
-        session_.message = {"Captured to " + capture_views(session_, painter_, by).string(), false};
+        session_.message = {"Captured to " + capture_views(session_, painter_, drawn_by_).string(), false};
     });
-}
-
-} // namespace
-
-int run_window(const WindowOptions &options) {
-    Window(options).run();
-    return 0;
 }
 
 } // namespace sandbox

@@ -2,7 +2,14 @@
 
 #include "scene/assets.h"
 #include "shading/technique.h"
+#include "ui/gui.h"
+#include "ui/host.h"
+#include "ui/mask_overlay.h"
 #include "ui/session/open_file.h"
+#include "ui/tabs/bottom_panel.h"
+#include "ui/views/view_painter.h"
+
+#include <string>
 
 namespace sandbox {
 
@@ -13,10 +20,43 @@ struct WindowOptions {
     Technique right{.frequency = Frequency::per_pixel, .model = Model::blinn_phong};
     Assets assets{"assets"};
     Assets shaders{"shaders"};
+    Size size{1280, 720}; ///< at first
+    bool run_times = true;
 };
 
-/// Opens the window and returns when it is closed, with the process's exit code (0).
-/// Throws MachineError if there is no display or no OpenGL 3.3.
-int run_window(const WindowOptions &options);
+/// All that happens inside a window, whatever the window stands on: made in this order, destroyed in reverse.
+class Window {
+  public:
+    Window(const WindowOptions &options, Host &host);
+
+    /// Takes the input that has arrived and, if it or anything else may change what is shown, draws a frame.
+    void step();
+    /// Is another frame needed though nothing arrives?
+    [[nodiscard]] bool unsettled() const { return frames_left_ > 0; }
+    /// Does work in the background go on, whose result will be shown?
+    [[nodiscard]] bool busy() const;
+    [[nodiscard]] bool quit_asked() const { return session_.requests.quit; }
+    [[nodiscard]] Session &session() { return session_; }
+
+  private:
+    void take_input();
+    void draw();
+    void answer_requests();
+    void open(const std::string &name_or_path);
+    void load(const Scene &scene, const std::string &message);
+    void capture();
+
+    Assets assets_;
+    bool polls_shaders_;
+    Host &host_;
+    DrawnBy drawn_by_;
+    Gui gui_;
+    ViewPainter painter_;
+    Session session_;
+    BottomPanel bottom_;
+    MaskOverlay masks_;
+    std::string shown_title_;
+    int frames_left_;
+};
 
 } // namespace sandbox

@@ -1,7 +1,5 @@
 #include "ui/jobs/drawing_job.h"
 
-#include "image/error.h"
-#include "render/glfw_context.h"
 #include "ui/widgets/widgets.h"
 
 #include <GLFW/glfw3.h>
@@ -10,19 +8,6 @@
 #include <string>
 
 namespace sandbox {
-
-WorkerContext::WorkerContext() {
-    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE); // the other hints are as the window set them
-    window_ = glfwCreateWindow(1, 1, "measuring", nullptr, nullptr);
-    if (window_ == nullptr) {
-        throw MachineError("there can be no second OpenGL context: {}", glfw_error());
-    }
-}
-
-WorkerContext::~WorkerContext() { glfwDestroyWindow(window_); }
-
-WorkerContext::Current::Current(const WorkerContext &context) { make_current(context.window_); }
-WorkerContext::Current::~Current() { glfwMakeContextCurrent(nullptr); }
 
 void wake_window() { glfwPostEmptyEvent(); }
 

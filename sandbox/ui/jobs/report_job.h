@@ -9,7 +9,7 @@ namespace sandbox {
 
 using ReportJob = DrawingJob<ReportRun>;
 
-/// Starts to measure `scene`, as the command `report` would. Throws MachineError (see WorkerContext).
+/// Starts to measure `scene`, as the command `report` would. Throws MachineError (see Context::make_worker).
 std::unique_ptr<ReportJob> start_report(const DrawingSupplies &supplies, const Scene &scene, bool quick);
 
 } // namespace sandbox

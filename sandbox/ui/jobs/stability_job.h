@@ -11,7 +11,7 @@ namespace sandbox {
 /// Runs cases in the background; hands out their results one by one.
 class StabilityJob {
   public:
-    /// Starts at once. Throws MachineError (see WorkerContext).
+    /// Starts at once. Throws MachineError (see Context::make_worker).
     StabilityJob(const DrawingSupplies &supplies, std::vector<StabilityCase> cases);
 
     /// What was finished since the last call.

@@ -62,15 +62,15 @@ void projection_choice(Session &session) {
 void display_choice(Session &session) {
     Display &display = session.document.display;
     row_label("display");
-    if (ImGui::RadioButton("linear", display == Display::linear)) {
+    if (radio_button(session, "linear", display == Display::linear,
+                     "Shows the numbers as they are, as the classic lighting programs do.")) {
         display = Display::linear;
     }
-    hint_for_item(session, "Shows the numbers as they are, as the classic lighting programs do.");
     ImGui::SameLine();
-    if (ImGui::RadioButton("sRGB", display == Display::srgb)) {
+    if (radio_button(session, "sRGB", display == Display::srgb,
+                     "Encodes for the screen, so that twice the light looks like twice the light.")) {
         display = Display::srgb;
     }
-    hint_for_item(session, "Encodes for the screen, so that twice the light looks like twice the light.");
 }
 
 } // namespace

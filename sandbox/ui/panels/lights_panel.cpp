@@ -22,10 +22,10 @@ void kind_switches(Session &session) {
             same_line_if_fits(ImGui::CalcTextSize(name.c_str()).x + ImGui::GetFrameHeight() * 1.4F);
         }
         bool on = std::ranges::any_of(scene.lights, [&](const Light &l) { return l.type == kind.type && l.enabled; });
-        if (ImGui::Checkbox(name.c_str(), &on)) {
+        if (checkbox(session, name, on,
+                     fmt::format("Turns all {} lights on or off; adds one if there is none.", name))) {
             switch_lights(scene, kind.type, on);
         }
-        hint_for_item(session, fmt::format("Turns all {} lights on or off; adds one if there is none.", name));
     }
 }
 
@@ -35,7 +35,7 @@ void kind_choice(Session &session, Light &light) {
         if (&kind != light_kinds.begin()) {
             same_line_if_fits(ImGui::CalcTextSize(name.c_str()).x + ImGui::GetFrameHeight() * 1.4F);
         }
-        if (ImGui::RadioButton(name.c_str(), light.type == kind.type)) {
+        if (radio_button(session, name, light.type == kind.type, "")) {
             set_type(light, kind.type, session.document.scene.camera);
         }
     }
@@ -68,7 +68,7 @@ ImVec4 shown_color(const glm::dvec3 &color) {
 bool light_entry(Session &session, std::size_t index) {
     Light &light = session.document.scene.lights[index];
     ImGui::Checkbox("##on", &light.enabled);
-    hint_for_item(session, "On or off: a light that is off costs nothing.");
+    describe_item(session, "on", "On or off: a light that is off costs nothing.", light.enabled ? "on" : "off");
     ImGui::SameLine();
     ImGui::ColorButton("##colour", shown_color(light.color),
                        ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop,
@@ -83,13 +83,14 @@ bool light_entry(Session &session, std::size_t index) {
         ImGui::SetNextItemOpen(index == 0, ImGuiCond_FirstUseEver);
         open = ImGui::TreeNodeEx(title.c_str(), ImGuiTreeNodeFlags_AllowItemOverlap | ImGuiTreeNodeFlags_FramePadding |
                                                     ImGuiTreeNodeFlags_NoTreePushOnOpen);
+        describe_item(session, "title", "", name);
     } else {
         ImGui::AlignTextToFramePadding();
         ImGui::TextColored(quiet_text(), "%s, off", name.c_str());
     }
     ImGui::SameLine(right_edge - button);
     const bool remove = ImGui::Button("\xC3\x97", ImVec2(button, 0));
-    hint_for_item(session, "Remove this light.");
+    describe_item(session, "remove", "Remove this light.");
     if (open && !remove) {
         light_rows(session, light, session.opened_light(index));
         ImGui::Separator();
@@ -121,7 +122,7 @@ void lights_panel(Session &session) {
     kind_switches(session);
     std::optional<std::size_t> removed;
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-        const ScopedId id(i);
+        const ScopedName name(session, std::to_string(i + 1));
         if (light_entry(session, i)) {
             removed = i;
         }

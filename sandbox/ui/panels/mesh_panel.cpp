@@ -53,8 +53,7 @@ void mesh_panel(Session &session) {
     if (session.object < session.triangles.size()) {
         ImGui::TextColored(quiet_text(), "%zu triangles", session.triangles[session.object]);
     }
-    ImGui::Checkbox("wireframe", &session.view.wireframe);
-    hint_for_item(session, "Draws the triangles' edges over both pictures (W).");
+    checkbox(session, "wireframe", session.view.wireframe, "Draws the triangles' edges over both pictures (W).");
     heading("Transform");
     property_rows(session, object.transform, opened.transform);
 }

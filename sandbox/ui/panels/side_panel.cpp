@@ -47,9 +47,13 @@ constexpr Panel panels[] = {
 
 void side_panel(Session &session) {
     for (const Panel &panel : panels) {
-        const ScopedId id(static_cast<std::size_t>(&panel - panels));
-        const std::string title = panel.title(session) + "###panel"; // what stands before ### may change
-        if (ImGui::CollapsingHeader(title.c_str(), panel.open ? ImGuiTreeNodeFlags_DefaultOpen : 0)) {
+        const std::string shown = panel.title(session);
+        const std::string name = shown.substr(0, shown.find(" (")); // "Lights" of "Lights (3)"
+        const std::string title = shown + "###" + name;             // what stands before ### may change
+        const bool open = ImGui::CollapsingHeader(title.c_str(), panel.open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+        describe_item(session, name, "", shown);
+        if (open) {
+            const ScopedName panel_name(session, name);
             panel.draw(session);
             ImGui::Spacing();
         }

@@ -13,11 +13,15 @@ namespace sandbox {
 
 namespace {
 
-/// "normals=model-matrix: wrong under non-uniform scale.": the words of commands and files.
+/// "per-pixel", "normals=model-matrix": the words of commands and files.
+std::string value_name(const TechniqueKey &key, int value) {
+    const std::string_view name = key.values[static_cast<std::size_t>(value)].name;
+    return key.kind == TechniqueKey::Kind::choice ? std::string(name) : fmt::format("{}={}", key.name, name);
+}
+
+/// "normals=model-matrix: wrong under non-uniform scale."
 std::string value_hint(const TechniqueKey &key, int value) {
-    const TechniqueValue &row = key.values[static_cast<std::size_t>(value)];
-    return key.kind == TechniqueKey::Kind::choice ? fmt::format("{}: {}.", row.name, row.look_for)
-                                                  : fmt::format("{}={}: {}.", key.name, row.name, row.look_for);
+    return fmt::format("{}: {}.", value_name(key, value), key.values[static_cast<std::size_t>(value)].look_for);
 }
 
 /// The mark of one side; true when clicked.
@@ -35,13 +39,14 @@ void side_cell(Session &session, const TechniqueKey &key, int value, bool right)
         return;
     }
     const bool set = key.get(technique) == value;
-    const ScopedId id(right ? "B" : "A");
+    const ScopedName side(session, right ? "B" : "A");
     ImGui::PushStyleColor(ImGuiCol_CheckMark, side_color(right));
     if (mark(key, set)) {
         set_key(technique, key, set ? 0 : value);
     }
     ImGui::PopStyleColor();
-    hint_for_item(session, fmt::format("{}, {}", right ? "B" : "A", value_hint(key, value)));
+    describe_item(session, value_name(key, value), fmt::format("{}, {}", right ? "B" : "A", value_hint(key, value)),
+                  set ? "on" : "off");
 }
 
 /// Quiet text beside the label, or under it where the column is too narrow.
@@ -66,7 +71,7 @@ void label_cell(Session &session, const TechniqueKey &key, int value, bool effec
     ImGui::AlignTextToFramePadding();
     ImGui::TextColored(effect ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : quiet_text(), "%s",
                        title_of(key, value).c_str());
-    hint_for_item(session, value_hint(key, value));
+    describe_item(session, value_name(key, value), value_hint(key, value));
     const bool set = key.get(document.left) == value || key.get(document.right) == value;
     if (!effect) {
         remark("no effect here");

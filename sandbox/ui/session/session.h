@@ -3,6 +3,7 @@
 #include "capture/layout.h"
 #include "ui/session/document.h"
 #include "ui/session/history.h"
+#include "ui/session/widget_map.h"
 
 #include <cstddef>
 #include <functional>
@@ -28,6 +29,7 @@ struct Appearance {
     bool panels = true;
     bool full_screen = false;
     bool key_list = false;
+    bool run_times = true;          ///< hidden, so that scripted pictures repeat
     std::optional<std::size_t> tab; ///< which of bottom_tabs is open; none: the panel is folded
     float bottom_share = 0;         ///< of the height of pictures and bottom panel, while it is open; 0: not chosen yet
 };
@@ -66,6 +68,7 @@ struct Session {
     bool same_picture = false;          ///< A and B draw the same picture of the scene, as last drawn
     std::vector<std::string> scenes;    ///< built-in ones, in the order they are taught
     std::vector<std::string> textures;  ///< built-in ones
+    WidgetMap widgets;                  ///< for scripts
 
     explicit Session(Document first) : document(first), history(std::move(first)) {}
 

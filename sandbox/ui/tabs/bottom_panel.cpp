@@ -34,7 +34,7 @@ void draggable_edge(Session &session, float room) {
         ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + size.x, low.y + size.y},
                                                   ImGui::GetColorU32(ImGuiCol_SliderGrab));
     }
-    hint_for_item(session, "Drag to give the pictures more or less room.");
+    describe_item(session, "edge", "Drag to give the pictures more or less room.");
 }
 
 void draw_titles(Session &session) {
@@ -74,11 +74,16 @@ void BottomPanel::draw(Session &session, ViewPainter &painter, float room) {
     if (const auto tab = session.appearance.tab) {
         ImGui::SetCursorPosX(style.WindowPadding.x);
         const ImVec2 size{ImGui::GetContentRegionAvail().x - style.WindowPadding.x, -style.ItemSpacing.y};
-        if (ImGui::BeginChild(bottom_tabs[*tab].title, size)) {
+        const ScopedName name(session, bottom_tabs[*tab].title);
+        if (ImGui::BeginChild("content", size)) {
             contents_[*tab]->draw(session, painter);
         }
         ImGui::EndChild();
     }
+}
+
+bool BottomPanel::busy() const {
+    return std::ranges::any_of(contents_, [](const auto &content) { return content->busy(); });
 }
 
 News BottomPanel::take_news(Session &session) {

@@ -15,6 +15,8 @@ class BottomPanel {
     [[nodiscard]] static float height(const Session &session, float room);
     /// Fills the current ImGui window.
     void draw(Session &session, ViewPainter &painter, float room);
+    /// Does any tab work in the background?
+    [[nodiscard]] bool busy() const;
     /// The most important news of any tab, shown or not.
     News take_news(Session &session);
 

@@ -20,6 +20,8 @@ class TabContent {
     virtual void draw(Session &session, ViewPainter &painter) = 0;
     /// Called whenever the window wakes up, also while the tab is closed: is there something new to draw?
     virtual News take_news(Session &) { return News::none; }
+    /// Does it work in the background?
+    [[nodiscard]] virtual bool busy() const { return false; }
 };
 
 struct BottomTab {

@@ -21,6 +21,7 @@ class ErrorTimeTab final : public TabContent {
     explicit ErrorTimeTab(const DrawingSupplies &supplies) : supplies_(supplies) {}
     void draw(Session &session, ViewPainter &painter) override;
     News take_news(Session &session) override;
+    [[nodiscard]] bool busy() const override { return job_ != nullptr; }
 
   private:
     void start(Session &session);

@@ -51,7 +51,7 @@ void legend_entry(Session &session, ErrorTimeView &view, std::size_t series) {
         view.hidden[series] = !view.hidden[series];
     }
     const bool hidden = view.hidden[series];
-    hint_for_item(session, hidden ? "Click to show this technique again." : "Click to hide this technique.");
+    describe_item(session, name, hidden ? "Click to show this technique again." : "Click to hide this technique.");
     ImVec4 color = series_color(static_cast<int>(series));
     color.w = hidden ? 0.3F : 1;
     const ImU32 packed = ImGui::GetColorU32(color);

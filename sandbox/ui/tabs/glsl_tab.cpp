@@ -59,14 +59,16 @@ void draw_line(Session &session, const Listing &own, const Listing &other, std::
     ImGui::TextUnformatted(text.c_str());
     if (line < own.origins[stage].size()) {
         const std::string where = own.origins[stage][line];
-        hint_for_item(session, moved ? where + "; the other side has this line in its other stage." : where);
+        describe_item(session, fmt::format("line {}", line + 1),
+                      moved ? where + "; the other side has this line in its other stage." : where, text);
     }
 }
 
 void draw_listing(Session &session, const Listing &own, const Listing &other, std::size_t stage, bool right) {
     const std::vector<bool> missing = lines_missing(own.lines[stage], other.lines[stage]);
     const float below = ImGui::GetStyle().CellPadding.y + 1;
-    ImGui::BeginChild(right ? "B" : "A", {0, -below}, true, ImGuiWindowFlags_HorizontalScrollbar);
+    const ScopedName side(session, right ? "B" : "A");
+    ImGui::BeginChild("listing", {0, -below}, true, ImGuiWindowFlags_HorizontalScrollbar);
     ImGui::PushFont(code_font());
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {4, 0});
     ImGuiListClipper clipper;
@@ -100,14 +102,14 @@ std::size_t stage_choice(Session &session) {
 void column_title(Session &session, const Listing &listing, std::size_t stage, bool right) {
     ImGui::TextColored(side_color(right), "%s   %zu lines", right ? "B" : "A", listing.lines[stage].size());
     if (!right && session.document.left_is_textbook()) {
-        hint_for_item(session,
+        describe_item(session, "textbook",
                       "A is drawn on the processor in a textbook's float32; this is the program of its technique.");
         ImGui::SameLine();
         ImGui::TextColored(error_text(), "not what A shows");
     }
     ImGui::SameLine();
-    const ScopedId id(right ? "B" : "A");
-    if (ImGui::SmallButton("copy")) {
+    const ScopedName side(session, right ? "B" : "A");
+    if (small_button(session, "copy", "Copies this program's text.")) {
         ImGui::SetClipboardText(listing.text[stage].c_str());
         session.message = {"Copied.", false};
     }

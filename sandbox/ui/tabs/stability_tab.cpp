@@ -27,6 +27,7 @@ class StabilityTab final : public TabContent {
     }
     void draw(Session &session, ViewPainter &painter) override;
     News take_news(Session &session) override;
+    [[nodiscard]] bool busy() const override { return job_ != nullptr; }
 
   private:
     void start(bool all);
@@ -165,8 +166,8 @@ void StabilityTab::filter_controls(Session &session) {
         filter_.group = group_ == 0 ? "" : groups_[group_];
     }
     same_line_if_fits(em * 10);
-    ImGui::Checkbox("textbook breaks", &filter_.textbook_breaks);
-    hint_for_item(session, "Lists only the cases that were run and whose textbook form broke the bound.");
+    checkbox(session, "textbook breaks", filter_.textbook_breaks,
+             "Lists only the cases that were run and whose textbook form broke the bound.");
     if (before_ && shows_a_case(session, cases_)) {
         const std::string back = "Back to " + before_->opened->name;
         same_line_if_fits(button_width(back));

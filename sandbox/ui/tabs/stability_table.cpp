@@ -16,7 +16,7 @@ bool row(Session &session, const ListedCase &listed, bool chosen, bool wide) {
     ImGui::TableNextColumn();
     const bool clicked =
         ImGui::Selectable(short_name(listed.definition).c_str(), chosen, ImGuiSelectableFlags_SpanAllColumns);
-    hint_for_item(session, listed.definition.symptom);
+    describe_item(session, listed.name(), listed.definition.symptom);
     if (wide) {
         ImGui::TableNextColumn();
         ImGui::TextUnformatted(listed.definition.symptom.c_str());

@@ -2,6 +2,7 @@
 
 #include "scene/orbit.h"
 #include "ui/session/edits.h"
+#include "ui/widgets/widgets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,12 +56,13 @@ float divider_x(const Session &session, const Rect &picture) {
     return std::round(picture.low.x + picture.width() * session.view.divider);
 }
 
-void mouse_over_picture(Session &session, const Rect &picture, int id) {
+void mouse_over_picture(Session &session, const Rect &picture, const std::string &name) {
     ImGui::SetCursorScreenPos(picture.low);
-    ImGui::PushID(id);
+    const ScopedName scope(session, name);
     ImGui::InvisibleButton("picture", {picture.width(), picture.height()},
                            ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
                                ImGuiButtonFlags_MouseButtonMiddle);
+    describe_item(session, "picture", "");
     ImGuiStorage &state = *ImGui::GetStateStorage();
     const ImGuiID drag_id = ImGui::GetID("drag");
     if (ImGui::IsItemActivated()) {
@@ -83,7 +85,6 @@ void mouse_over_picture(Session &session, const Rect &picture, int id) {
             reset_camera(session.document);
         }
     }
-    ImGui::PopID();
 }
 
 } // namespace sandbox

@@ -3,6 +3,7 @@
 #include "ui/session/session.h"
 
 #include <imgui.h>
+#include <string>
 
 namespace sandbox {
 
@@ -16,7 +17,8 @@ struct Rect {
 /// Where a wipe changes from A to B.
 float divider_x(const Session &session, const Rect &picture);
 
-/// The mouse over one picture: orbit, pan, dolly, the wipe's divider, reset. All pictures have the same camera.
-void mouse_over_picture(Session &session, const Rect &picture, int id);
+/// The mouse over one picture: orbit, pan, dolly, the wipe's divider, reset. All pictures have the same camera. Scripts
+/// call it `name`/picture.
+void mouse_over_picture(Session &session, const Rect &picture, const std::string &name);
 
 } // namespace sandbox

@@ -85,8 +85,9 @@ void draw_view(const ViewPainter &painter, bool right, const Rect &rect, float f
     }
 }
 
-/// A line of text at the left or right of `rect`, clipped to it.
-void draw_text_line(const Rect &rect, float y, ImVec4 color, const std::string &text, bool align_right) {
+/// A line of text at the left or right of `rect`, clipped to it. Scripts call it `name`.
+void draw_text_line(Session &session, const std::string &name, const Rect &rect, float y, ImVec4 color,
+                    const std::string &text, bool align_right) {
     constexpr float margin = 6;
     const float left = rect.low.x + margin;
     const float x = align_right ? std::max(left, rect.high.x - margin - ImGui::CalcTextSize(text.c_str()).x) : left;
@@ -94,6 +95,7 @@ void draw_text_line(const Rect &rect, float y, ImVec4 color, const std::string &
     list.PushClipRect({x, y}, {rect.high.x, y + ImGui::GetFrameHeight()}, true);
     list.AddText({x, y + ImGui::GetStyle().FramePadding.y}, ImGui::GetColorU32(color), text.c_str());
     list.PopClipRect();
+    describe_text(session, name, {x, y}, {rect.high.x, y + ImGui::GetFrameHeight()}, text);
 }
 
 /// "A  per-vertex / phong", then what differs from the defaults.
@@ -109,8 +111,10 @@ std::string side_name(const Session &session, bool right) {
     return (right ? "B   " : "A   ") + text + (right && session.same_picture ? "    (the same picture as A)" : "");
 }
 
-std::string time_text(const PaintedView &view) {
-    return view.texture != 0 ? fmt::format("{:.{}f} ms", view.milliseconds, view.milliseconds < 10 ? 1 : 0) : "";
+std::string time_text(const Session &session, const PaintedView &view) {
+    return view.texture != 0 && session.appearance.run_times
+               ? fmt::format("{:.{}f} ms", view.milliseconds, view.milliseconds < 10 ? 1 : 0)
+               : "";
 }
 
 /// Empty if all pixels are finite.
@@ -122,29 +126,33 @@ std::string nonfinite_text(const PaintedView &view) {
 }
 
 /// Run time and, on a line of its own if `stacked`, what is wrong with the picture.
-void draw_figures(const PaintedView &view, const Rect &rect, float y, bool align_right, bool stacked) {
-    const std::string time = time_text(view);
+void draw_figures(Session &session, const PaintedView &view, const std::string &side, const Rect &rect, float y,
+                  bool align_right, bool stacked) {
+    const std::string time = time_text(session, view);
     const std::string wrong = nonfinite_text(view);
-    draw_text_line(rect, y, ImGui::GetStyleColorVec4(ImGuiCol_Text), time, align_right);
+    draw_text_line(session, side + "/time", rect, y, ImGui::GetStyleColorVec4(ImGuiCol_Text), time, align_right);
     if (wrong.empty()) {
         return;
     }
     if (stacked) {
-        return draw_text_line(rect, y + ImGui::GetFrameHeight(), error_text(), wrong, align_right);
+        return draw_text_line(session, side + "/wrong", rect, y + ImGui::GetFrameHeight(), error_text(), wrong,
+                              align_right);
     }
     const float gap = ImGui::GetFontSize();
     Rect beside = rect; // the time does not move
     (align_right ? beside.high.x : beside.low.x) +=
         (align_right ? -1.0F : 1.0F) * (ImGui::CalcTextSize(time.c_str()).x + gap);
-    draw_text_line(beside, y, error_text(), wrong, align_right);
+    draw_text_line(session, side + "/wrong", beside, y, error_text(), wrong, align_right);
 }
 
 /// The technique above the picture, its figures `below` lines under it.
-void draw_names(const Session &session, const ViewPainter &painter, const Rect &rect, bool right, bool align_right,
+void draw_names(Session &session, const ViewPainter &painter, const Rect &rect, bool right, bool align_right,
                 float below = 0) {
     const float line = ImGui::GetFrameHeight();
-    draw_text_line(rect, rect.low.y - line, side_color(right), side_name(session, right), align_right);
-    draw_figures(painter.view(right), rect, rect.high.y + below * line, align_right, below > 0);
+    const std::string side = right ? "B" : "A";
+    draw_text_line(session, side + "/name", rect, rect.low.y - line, side_color(right), side_name(session, right),
+                   align_right);
+    draw_figures(session, painter.view(right), side, rect, rect.high.y + below * line, align_right, below > 0);
 }
 
 /// In the lower corner of a picture of masks: what each colour means, how many pixels, the largest error under them.
@@ -195,7 +203,7 @@ void draw_mask_legend(const Session &session, const ViewPainter &painter, const 
     list.PopClipRect();
 }
 
-void show_side_by_side(const Session &session, const ViewPainter &painter, const Arrangement &arrangement) {
+void show_side_by_side(Session &session, const ViewPainter &painter, const Arrangement &arrangement) {
     for (const bool right : {false, true}) {
         const Rect rect = arrangement.column(right ? 1 : 0);
         draw_view(painter, right, rect);
@@ -207,7 +215,7 @@ void show_side_by_side(const Session &session, const ViewPainter &painter, const
 Rect left_half(const Rect &rect) { return {rect.low, {(rect.low.x + rect.high.x) / 2, rect.high.y}}; }
 Rect right_half(const Rect &rect) { return {{(rect.low.x + rect.high.x) / 2, rect.low.y}, rect.high}; }
 
-void show_wipe(const Session &session, const ViewPainter &painter, const Rect &rect) {
+void show_wipe(Session &session, const ViewPainter &painter, const Rect &rect) {
     const float x = divider_x(session, rect);
     const float share = (x - rect.low.x) / rect.width();
     draw_view(painter, false, rect, 0, share);
@@ -220,16 +228,18 @@ void show_wipe(const Session &session, const ViewPainter &painter, const Rect &r
     list.AddRectFilled({x - 1.5F, rect.low.y}, {x + 1.5F, rect.high.y}, IM_COL32(255, 255, 255, 230));
     list.AddCircleFilled({x, middle}, grip + 2, IM_COL32(20, 24, 28, 255));
     list.AddCircleFilled({x, middle}, grip, IM_COL32(255, 255, 255, 255));
+    describe_text(session, "View/divider", {x - grip, middle - grip}, {x + grip, middle + grip}, "");
     draw_names(session, painter, left_half(rect), false, false);
     draw_names(session, painter, right_half(rect), true, true);
 }
 
-void show_flip(const Session &session, const ViewPainter &painter, const Rect &rect) {
+void show_flip(Session &session, const ViewPainter &painter, const Rect &rect) {
     const bool right = session.view.show_right;
     draw_view(painter, right, rect);
     draw_mask_legend(session, painter, rect, right, false);
     draw_names(session, painter, rect, right, false);
-    draw_text_line(rect, rect.low.y - ImGui::GetFrameHeight(), quiet_text(), right ? "" : "hold Space for B", true);
+    draw_text_line(session, "View/hint", rect, rect.low.y - ImGui::GetFrameHeight(), quiet_text(),
+                   right ? "" : "hold Space for B", true);
 }
 
 void show_difference(Session &session, const ViewPainter &painter, const Rect &rect) {
@@ -251,7 +261,7 @@ void show_difference(Session &session, const ViewPainter &painter, const Rect &r
 void viewports(Session &session, ViewPainter &painter) {
     const Arrangement arrangement = arrange(session);
     for (int i = 0; i < arrangement.columns; ++i) {
-        mouse_over_picture(session, arrangement.column(i), i);
+        mouse_over_picture(session, arrangement.column(i), arrangement.columns == 1 ? "View" : i == 0 ? "A" : "B");
     }
     const Rect rect = arrangement.column(0);
     painter.paint(session, pixels_of(rect));

@@ -14,6 +14,9 @@ namespace {
 
 constexpr float label_ems = 9.2F; // of a row, in text heights
 
+/// "cutoff" of "cutoff, degrees".
+std::string row_name(const std::string &label) { return label.substr(0, label.find(", ")); }
+
 /// Behind a number's control. A scene file's range holds, for typed numbers too.
 bool finish_number(Session &session, const Row &row, double &value, double before, double opened) {
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
@@ -22,8 +25,10 @@ bool finish_number(Session &session, const Row &row, double &value, double befor
     if (value != before) {
         value = std::isfinite(value) ? nearest_accepted(value, row.range) : before;
     }
-    hint_for_item(session, fmt::format("{}  Ctrl+click: type a number.  Right-click: back to {}.", row.hint,
-                                       fmt::sprintf(row.range.slider.format, opened)));
+    describe_item(session, row_name(row.label),
+                  fmt::format("{}  Ctrl+click: type a number.  Right-click: back to {}.", row.hint,
+                              fmt::sprintf(row.range.slider.format, opened)),
+                  fmt::sprintf(row.range.slider.format, value), value);
     return value != before;
 }
 
@@ -37,13 +42,13 @@ bool number(Session &session, const Row &row, double &value, double opened) {
 template <int N>
 bool vector_row(Session &session, const Row &row, glm::vec<N, double> &value, const glm::vec<N, double> &opened) {
     row_label(row.label);
-    const ScopedId id(row.label);
+    const ScopedName name(session, row_name(row.label));
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float width = (ImGui::GetContentRegionAvail().x - (N - 1) * gap) / N;
-    const Row each{row.label, row.range, row.hint + "  Drag sideways."};
     bool changed = false;
     for (int i = 0; i < N; ++i) {
-        const ScopedId component(static_cast<std::size_t>(i));
+        const Row each{std::string(1, "xyz"[i]), row.range, row.hint + "  Drag sideways."};
+        const ScopedId component(each.label);
         if (i > 0) {
             ImGui::SameLine(0, gap);
         }
@@ -73,8 +78,21 @@ bool color_row(Session &session, const Row &row, glm::dvec3 &value, const glm::d
         changed = value != opened;
         value = opened;
     }
-    hint_for_item(session, row.hint + "  The square opens a picker.  Right-click: back to the scene's colour.");
+    describe_item(session, row_name(row.label),
+                  row.hint + "  The square opens a picker.  Right-click: back to the scene's colour.");
     return changed;
+}
+
+/// What the current window's clipping leaves of it.
+Widget on_screen(ImVec2 low, ImVec2 high, std::string text, std::optional<double> value) {
+    const ImDrawList &list = *ImGui::GetWindowDrawList();
+    const ImVec2 clip_low = list.GetClipRectMin(), clip_high = list.GetClipRectMax();
+    return {std::max(low.x, clip_low.x),
+            std::max(low.y, clip_low.y),
+            std::min(high.x, clip_high.x),
+            std::min(high.y, clip_high.y),
+            std::move(text),
+            value};
 }
 
 } // namespace
@@ -108,7 +126,7 @@ bool control_row(Session &session, const Row &row, bool &value, bool opened) {
         changed = value != opened;
         value = opened;
     }
-    hint_for_item(session, row.hint);
+    describe_item(session, row_name(row.label), row.hint, value ? "on" : "off");
     return changed;
 }
 
@@ -139,22 +157,44 @@ bool choice_row(Session &session, const char *label, std::span<const std::string
 bool combo(Session &session, const char *id, std::span<const std::string> names, std::size_t &chosen,
            const char *hint) {
     const std::size_t before = chosen;
-    if (ImGui::BeginCombo(id, chosen < names.size() ? names[chosen].c_str() : "")) {
+    const std::string name = std::string(id).substr(2); // after ##
+    const char *shown = chosen < names.size() ? names[chosen].c_str() : "";
+    if (ImGui::BeginCombo(id, shown)) {
         for (std::size_t i = 0; i < names.size(); ++i) {
-            const ScopedId name(i);
+            const ScopedName list(session, name);
+            const ScopedId entry(i);
             if (ImGui::Selectable(names[i].c_str(), i == chosen)) {
                 chosen = i;
             }
+            describe_item(session, names[i], hint);
         }
         ImGui::EndCombo();
     }
-    hint_for_item(session, hint);
+    describe_item(session, name, hint, shown);
     return chosen != before;
 }
 
 bool button(Session &session, const std::string &label, const std::string &hint) {
     const bool clicked = ImGui::Button(label.c_str());
-    hint_for_item(session, hint);
+    describe_item(session, label, hint);
+    return clicked;
+}
+
+bool small_button(Session &session, const std::string &label, const std::string &hint) {
+    const bool clicked = ImGui::SmallButton(label.c_str());
+    describe_item(session, label, hint);
+    return clicked;
+}
+
+bool checkbox(Session &session, const std::string &label, bool &on, const std::string &hint) {
+    const bool changed = ImGui::Checkbox(label.c_str(), &on);
+    describe_item(session, label, hint, on ? "on" : "off");
+    return changed;
+}
+
+bool radio_button(Session &session, const std::string &label, bool on, const std::string &hint) {
+    const bool clicked = ImGui::RadioButton(label.c_str(), on);
+    describe_item(session, label, hint, on ? "on" : "off");
     return clicked;
 }
 
@@ -169,9 +209,24 @@ bool toggle_button(Session &session, const std::string &label, bool on, const st
     return clicked;
 }
 
-void hint_for_item(Session &session, const std::string &hint) {
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsItemActive()) {
+void describe_item(Session &session, std::string_view name, const std::string &hint, std::string text,
+                   std::optional<double> value) {
+    if (!hint.empty() && (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsItemActive())) {
         session.hint = hint;
+    }
+    if (!session.widgets.listening()) {
+        return;
+    }
+    if (session.widgets.wanted(name)) {
+        ImGui::SetScrollHereY();
+    }
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    session.widgets.add(name, on_screen(low, high, text.empty() ? std::string(name) : std::move(text), value));
+}
+
+void describe_text(Session &session, std::string_view name, ImVec2 low, ImVec2 high, std::string text) {
+    if (session.widgets.listening()) {
+        session.widgets.add(name, on_screen(low, high, std::move(text), {}));
     }
 }
 

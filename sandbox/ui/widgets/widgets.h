@@ -5,6 +5,7 @@
 
 #include <array>
 #include <imgui.h>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -35,13 +36,20 @@ bool choice_row(Session &session, const char *label, std::span<const std::string
 /// A list that opens; true if another of `names` was chosen.
 bool combo(Session &session, const char *id, std::span<const std::string> names, std::size_t &chosen, const char *hint);
 bool button(Session &session, const std::string &label, const std::string &hint);
+bool small_button(Session &session, const std::string &label, const std::string &hint);
+bool checkbox(Session &session, const std::string &label, bool &on, const std::string &hint);
+bool radio_button(Session &session, const std::string &label, bool on, const std::string &hint);
 /// A button that stays pressed while `on`.
 bool toggle_button(Session &session, const std::string &label, bool on, const std::string &hint);
 /// The slider alone: as wide as the next item, over the usual part of the range and as far as `opened`.
 bool slider(Session &session, const Row &row, double &value, double opened);
 
-/// Shows `hint` in the status line while the mouse is over the last item.
-void hint_for_item(Session &session, const std::string &hint);
+/// The last item: what scripts call it, the hint that the status line shows while the mouse is over it, the text that
+/// it shows, if that is not its name, and the number.
+void describe_item(Session &session, std::string_view name, const std::string &hint, std::string text = {},
+                   std::optional<double> value = {});
+/// As describe_item() does, for text that was drawn from `low` to `high`.
+void describe_text(Session &session, std::string_view name, ImVec2 low, ImVec2 high, std::string text);
 /// The label of a row; its control comes next.
 void row_label(const std::string &label);
 /// A short heading inside a panel.
@@ -62,6 +70,21 @@ struct ScopedId {
     ~ScopedId() { ImGui::PopID(); }
     ScopedId(const ScopedId &) = delete;
     ScopedId &operator=(const ScopedId &) = delete;
+};
+
+/// As ScopedId; scripts' names, too, begin with `name`.
+class ScopedName {
+  public:
+    ScopedName(Session &session, const std::string &name) : session_(session), id_(name) {
+        session.widgets.enter(name);
+    }
+    ~ScopedName() { session_.widgets.leave(); }
+    ScopedName(const ScopedName &) = delete;
+    ScopedName &operator=(const ScopedName &) = delete;
+
+  private:
+    Session &session_;
+    ScopedId id_;
 };
 
 } // namespace sandbox

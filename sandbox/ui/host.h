@@ -1,0 +1,54 @@
+#pragma once
+
+#include "image/image.h"
+#include "render/context.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace sandbox {
+
+/// A key as pressed: GLFW's names, after the keyboard's layout.
+struct KeyPress {
+    int key = 0, mods = 0;
+    bool repeated = false;
+};
+
+/// Input since the last take_arrivals().
+struct Arrivals {
+    bool any = false; ///< anything at all that may change the picture
+    std::vector<KeyPress> keys;
+    bool question_mark = false;
+    std::vector<std::string> dropped; ///< paths
+};
+
+/// What the window stands on: the operating system's window, or a picture in memory that a script works.
+class Host {
+  public:
+    Host() = default;
+    virtual ~Host() = default;
+    Host(const Host &) = delete;
+    Host &operator=(const Host &) = delete;
+
+    [[nodiscard]] virtual Context &context() = 0;
+    /// Around the life of Dear ImGui's context.
+    virtual void begin_gui() = 0;
+    virtual void end_gui() {}
+    /// Dear ImGui's input of the frame that begins.
+    virtual void feed_gui() = 0;
+    [[nodiscard]] virtual Arrivals take_arrivals() = 0;
+    [[nodiscard]] virtual bool space_held() const = 0;
+    /// Physical pixels; (0, 0) while minimised.
+    [[nodiscard]] virtual Size framebuffer_size() const = 0;
+    /// The framebuffer object that frames are drawn into.
+    [[nodiscard]] virtual unsigned framebuffer() const { return 0; }
+    /// The screen's own magnification: 2 on a dense one.
+    [[nodiscard]] virtual float content_scale() const { return 1; }
+    /// Shows the frame that has been drawn.
+    virtual void present() = 0;
+    virtual void set_title(const std::string &) {}
+    virtual void set_full_screen(bool) {}
+};
+
+} // namespace sandbox

@@ -1,0 +1,39 @@
+#include "ui/run_window.h"
+
+#include "ui/glfw_window.h"
+
+#include <GLFW/glfw3.h>
+
+namespace sandbox {
+
+namespace {
+
+constexpr double shader_poll_seconds = 0.5;
+
+/// No event, no frame.
+void wait_for_events(const Window &window, bool polls_shaders) {
+    if (window.unsettled()) {
+        glfwPollEvents();
+    } else if (polls_shaders) {
+        glfwWaitEventsTimeout(shader_poll_seconds);
+    } else {
+        glfwWaitEvents();
+    }
+}
+
+} // namespace
+
+int run_window(const WindowOptions &options) {
+    GlfwWindow host(options.size);
+    Window window(options, host);
+    window.step();
+    host.show();
+    while (!host.close_asked() && !window.quit_asked()) {
+        wait_for_events(window, !options.shaders.folder().empty());
+        window.step();
+    }
+    host.hide(); // work in the background may take a moment to stop
+    return 0;
+}
+
+} // namespace sandbox

@@ -1,0 +1,160 @@
+#include "commands/gl_command_test.h"
+
+/// The window, worked by scripts: `view --script` of the built program, which needs no display.
+namespace sandbox {
+namespace {
+
+class ScriptGl : public GlCommandTest {
+  protected:
+    /// Runs `script` in an own folder, so that pictures and captures lie there.
+    ProcessResult play(const std::string &script, const Arguments &more = {}) const {
+        folder.write("script.txt", script);
+        Arguments all{"view", "--script", "script.txt", "--size", "1000x560", "--no-times"};
+        all.insert(all.end(), more.begin(), more.end());
+        return run_sandbox(all, "cd " + folder.path().string() + " && env -u DISPLAY -u WAYLAND_DISPLAY");
+    }
+    void expect_same(const std::string &left, const std::string &right) const {
+        EXPECT_TRUE(folder.read(left) == folder.read(right)) << left << " and " << right << " differ";
+    }
+    void expect_other(const std::string &left, const std::string &right) const {
+        EXPECT_FALSE(folder.read(left) == folder.read(right)) << left << " and " << right << " are the same";
+    }
+};
+
+#define EXPECT_PLAYED(result)                                                                                          \
+    do {                                                                                                               \
+        const ProcessResult played = (result);                                                                         \
+        EXPECT_EQ(played.exit_code, 0) << played.err << played.out;                                                    \
+    } while (false)
+
+TEST_F(ScriptGl, UndoBringsBackWhatClickKeyAndDragChanged) {
+    EXPECT_PLAYED(play(R"(
+hover Status
+shot first.png
+click Technique/A/flat
+expect A/name flat
+hover Status
+shot flat.png
+key Ctrl+Z
+expect A/name per-vertex
+key Ctrl+Shift+Z
+expect A/name flat
+key Ctrl+Z
+key M
+expect A/name blinn
+key Ctrl+Z
+expect A/name "per-vertex / phong"
+drag Lights/1/diffuse 0
+expect Lights/1/diffuse 0.000
+key Ctrl+Z
+expect Lights/1/diffuse 0.8
+type Lights/1/diffuse 0.25
+expect Lights/1/diffuse 0.250
+right-click Lights/1/diffuse
+expect Lights/1/diffuse 0.8
+hover Status
+shot back.png
+)"));
+    expect_other("first.png", "flat.png");
+    expect_same("first.png", "back.png");
+}
+
+TEST_F(ScriptGl, TheCameraComesBack) {
+    EXPECT_PLAYED(play(R"(
+hover A/picture
+shot first.png
+drag A/picture 80 30
+hover A/picture
+shot turned.png
+key R
+shot reset.png
+wheel A/picture 2
+shot nearer.png
+double-click A/picture
+shot back.png
+)"));
+    expect_other("first.png", "turned.png");
+    expect_same("first.png", "reset.png");
+    expect_other("first.png", "nearer.png");
+    expect_same("first.png", "back.png");
+}
+
+TEST_F(ScriptGl, EveryLayoutShowsSomethingElse) {
+    EXPECT_PLAYED(play(R"(
+hover Status
+shot 1.png
+key 2
+shot 2.png
+drag View/divider 100 0
+hover Status
+shot 2b.png
+key 3
+shot 3.png
+hold Space
+shot 3b.png
+release Space
+shot 3c.png
+key 4
+shot 4.png
+key 1
+shot 1b.png
+)"));
+    expect_other("1.png", "2.png");
+    expect_other("2.png", "2b.png");
+    expect_other("3.png", "3b.png");
+    expect_same("3.png", "3c.png");
+    expect_other("3.png", "4.png");
+    expect_same("1.png", "1b.png");
+}
+
+TEST_F(ScriptGl, ACaptureRestoresTheView) {
+    EXPECT_PLAYED(play("key F12\nexpect Status Captured\nkey F12\n"));
+    expect_same("three-point-lights-001.png", "three-point-lights-002.png");
+    const ProcessResult again =
+        run_sandbox({"capture", folder.file("three-point-lights-001.png.json"), "--out", folder.file("again.png")});
+    EXPECT_EQ(again.exit_code, 0) << again.err;
+    expect_same("again.png", "three-point-lights-001.png");
+}
+
+TEST_F(ScriptGl, MenusTabsAndDroppedFilesOpen) {
+    folder.write("bad.json", "{\"lights\": 3}");
+    EXPECT_PLAYED(play(R"(
+click Scene
+click Scene/vase
+expect Status vase
+click GLSL
+expect "GLSL/A/line 1" "#version"
+click Stability
+click Stability/spot-cutoff-0
+expect A/name textbook
+drop bad.json
+expect Status lights
+)"));
+}
+
+TEST_F(ScriptGl, TheWindowResizes) {
+    EXPECT_PLAYED(play("hover Status\nshot first.png\nsize 480x320\nshot small.png\nsize 1000x560\nshot back.png\n"));
+    expect_other("first.png", "small.png");
+    expect_same("first.png", "back.png");
+}
+
+TEST_F(ScriptGl, SaysWhatIsWrongInWhichLine) {
+    const ProcessResult unknown = play("wait\nclick Technique/A/flut\n");
+    EXPECT_EQ(unknown.exit_code, 2);
+    EXPECT_NE(unknown.err.find("script.txt:2: there is no widget 'Technique/A/flut'"), std::string::npos)
+        << unknown.err;
+    EXPECT_NE(unknown.err.find("Technique/A/flat"), std::string::npos) << unknown.err;
+    EXPECT_EQ(play("jump GLSL\n").exit_code, 2);
+    EXPECT_EQ(play("drag GLSL\n").exit_code, 2);
+    EXPECT_EQ(play("key Strg+Z\n").exit_code, 2);
+    EXPECT_EQ(play("click \"GLSL\n").exit_code, 2);
+    EXPECT_EQ(play("drag GLSL 3\n").exit_code, 2);
+    const ProcessResult unmet = play("\n# a comment\nexpect A/name per-pixel\n");
+    EXPECT_EQ(unmet.exit_code, 1);
+    EXPECT_NE(unmet.err.find("script.txt:3: expected 'A/name' to show 'per-pixel'"), std::string::npos) << unmet.err;
+}
+
+TEST_F(ScriptGl, AMonkeyFindsNoError) { EXPECT_PLAYED(play("monkey 60 7\n")); }
+
+} // namespace
+} // namespace sandbox
