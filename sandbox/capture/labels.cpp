@@ -38,29 +38,23 @@ void draw_line(ByteImage &picture, std::string text, int left, int width, double
 
 } // namespace
 
-void draw_labels(ByteImage &picture, Layout layout, int split, std::string_view left, std::string_view right,
-                 std::string_view caption) {
+void draw_labels(ByteImage &picture, Layout layout, std::span<const int> splits, std::span<const std::string> texts) {
     const double height = std::max(smallest_text, picture.size.height / 26.0);
     const double strip = height * line_spacing;
     const int width = picture.size.width;
-    const std::string a = "A  " + std::string(left);
-    const std::string b = "B  " + std::string(right);
-    const int caption_width = std::min(width / 3, static_cast<int>(text_width(caption, height) + height + 1));
-    darken(picture, static_cast<int>(layout == Layout::difference ? 2 * strip : strip));
-    switch (layout) {
-    case Layout::single:
-        draw_line(picture, std::string(left), 0, width, 0, height);
-        break;
-    case Layout::side_by_side:
-    case Layout::wipe:
-        draw_line(picture, a, 0, split, 0, height);
-        draw_line(picture, b, split, width - split, 0, height);
-        break;
-    case Layout::difference:
-        draw_line(picture, a, 0, width - caption_width, 0, height);
-        draw_line(picture, b, 0, width - caption_width, strip, height);
-        draw_line(picture, std::string(caption), width - caption_width, caption_width, 0, height);
-        break;
+    if (layout == Layout::difference) {
+        const int caption_width = std::min(width / 3, static_cast<int>(text_width(texts[2], height) + height + 1));
+        darken(picture, static_cast<int>(2 * strip));
+        draw_line(picture, texts[0], 0, width - caption_width, 0, height);
+        draw_line(picture, texts[1], 0, width - caption_width, strip, height);
+        draw_line(picture, texts[2], width - caption_width, caption_width, 0, height);
+        return;
+    }
+    darken(picture, static_cast<int>(strip));
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        const int left = i == 0 ? 0 : splits[i - 1];
+        const int right = i < splits.size() ? splits[i] : width;
+        draw_line(picture, texts[i], left, right - left, 0, height);
     }
 }
 

@@ -9,13 +9,20 @@
 namespace sandbox {
 namespace {
 
-constexpr std::array<std::string_view, 4> layout_names{"single", "side-by-side", "wipe", "difference"};
+constexpr std::array<std::string_view, 5> layout_names{"single", "side-by-side", "wipe", "difference", "three-up"};
 
-Image side_by_side(const Image &left, const Image &right) {
-    Image picture({left.size.width + right.size.width, left.size.height});
-    for (int y = 0; y < left.size.height; ++y) {
-        std::copy_n(&left.at(0, y), left.size.width, &picture.at(0, y));
-        std::copy_n(&right.at(0, y), right.size.width, &picture.at(left.size.width, y));
+Image beside_each_other(std::span<const Image> views) {
+    Size size{0, views.front().size.height};
+    for (const Image &view : views) {
+        size.width += view.size.width;
+    }
+    Image picture(size);
+    int left = 0;
+    for (const Image &view : views) {
+        for (int y = 0; y < size.height; ++y) {
+            std::copy_n(&view.at(0, y), view.size.width, &picture.at(left, y));
+        }
+        left += view.size.width;
     }
     return picture;
 }
@@ -47,36 +54,44 @@ std::string_view to_string(Layout layout) { return layout_names[static_cast<std:
 Layout parse_layout(std::string_view text) {
     const auto found = std::ranges::find(layout_names, text);
     if (found == layout_names.end()) {
-        throw InputError("expected side-by-side, wipe or difference, got '{}'", text);
+        throw InputError("expected side-by-side, wipe, difference or three-up, got '{}'", text);
     }
     return static_cast<Layout>(found - layout_names.begin());
 }
 
 int split_column(Size picture, double share) { return static_cast<int>(std::floor(picture.width * share + 0.5)); }
 
-ViewSizes view_sizes(Layout layout, Size picture) {
-    if (layout != Layout::side_by_side) {
-        return {picture, picture};
+int columns_of(Layout layout) { return layout == Layout::three_up ? 3 : layout == Layout::side_by_side ? 2 : 1; }
+
+std::vector<Size> view_sizes(Layout layout, Size picture) {
+    const int columns = columns_of(layout);
+    if (columns == 1) {
+        return std::vector<Size>(layout == Layout::single ? 1 : 2, picture);
     }
-    if (picture.width < 2) {
-        throw InputError("two views side by side need a width of at least 2, got {}", picture.width);
+    if (picture.width < columns) {
+        throw InputError("{} views beside each other need a width of at least {}, got {}", columns, columns,
+                         picture.width);
     }
-    const int split = split_column(picture);
-    return {{split, picture.height}, {picture.width - split, picture.height}};
+    std::vector<Size> sizes;
+    for (int column = 0; column < columns; ++column) {
+        sizes.push_back({picture.width / columns + (column < picture.width % columns ? 1 : 0), picture.height});
+    }
+    return sizes;
 }
 
-Image compose(Layout layout, const Image &left, const Image &right, double divider) {
+Image compose(Layout layout, std::span<const Image> views, double divider) {
     switch (layout) {
     case Layout::single:
         break;
     case Layout::side_by_side:
-        return side_by_side(left, right);
+    case Layout::three_up:
+        return beside_each_other(views);
     case Layout::wipe:
-        return wipe(left, right, divider);
+        return wipe(views[0], views[1], divider);
     case Layout::difference:
-        return difference(left, right);
+        return difference(views[0], views[1]);
     }
-    return left;
+    return views[0];
 }
 
 } // namespace sandbox

@@ -13,6 +13,14 @@ namespace sandbox {
 
 /// Draws a view: the renderer, or a fake in a test.
 using DrawView = std::function<Image(const Scene &, const Technique &, Size)>;
+/// Who draws what.
+struct Painters {
+    DrawView draw;
+    DrawView textbook; ///< textbook_picture()
+    DrawView truth;    ///< the reference
+};
+/// The technique of the reference that a side is judged by: its model, per pixel, every fault off.
+Technique truth_of(const Technique &technique);
 
 /// "linear" or "srgb". Throws InputError.
 Display parse_display(std::string_view text);
@@ -36,10 +44,9 @@ struct PictureOptions {
 /// How a textbook's picture is labelled: "textbook float32/phong". It depends on the technique's model alone.
 std::string textbook_name(const Technique &technique);
 
-/// Linear RGB, as a PFM holds it. A difference is left - right, without gain. `textbook` draws the left view if
-/// `options.textbook_left`; `draw` draws all else.
-Image draw_picture(const Scene &scene, const PictureOptions &options, const DrawView &draw,
-                   const DrawView &textbook = {});
+/// Linear RGB, as a PFM holds it. A difference is left - right, without gain. The third view of a three-up is the truth
+/// of the left technique.
+Image draw_picture(const Scene &scene, const PictureOptions &options, const Painters &painters);
 
 /// The picture as a PNG holds it: `linear` (from draw_picture) through gain * |difference|, exposure and the display's
 /// curve, then a wipe's divider, then labels.

@@ -7,6 +7,7 @@
 #include "commands/session.h"
 #include "image/image_file.h"
 #include "measure/stability/textbook.h"
+#include "reference/reference.h"
 #include "scene/orbit.h"
 
 #include <cmath>
@@ -48,7 +49,8 @@ void apply_two_views(const CaptureFlags &flags, PictureOptions &options) {
     options.right = flags.right.value_or(options.right);
     options.layout = flags.layout.value_or(two_already ? options.layout : Layout::side_by_side);
     if (options.layout == Layout::single) {
-        throw InputError("--layout: two views need side-by-side, wipe or difference; use --technique for one");
+        throw InputError(
+            "--layout: two views need side-by-side, wipe, difference or three-up; use --technique for one");
     }
 }
 
@@ -121,12 +123,13 @@ int run_capture(const CaptureFlags &flags, const CommonOptions &common) {
 
     DrawingSession session(common);
     const DrawnBy by{session.context().renderer(), session.context().version()};
-    const DrawView draw = [&](const Scene &s, const Technique &t, Size size) {
-        return session.renderer().render(s, t, size).color;
-    };
-    const DrawView textbook = [&](const Scene &s, const Technique &t, Size size) {
-        return textbook_picture(s, session.renderer().resources().load(s), t, size).color;
-    };
+    const auto resources = [&](const Scene &s) { return session.renderer().resources().load(s); };
+    const Painters painters{
+        [&](const Scene &s, const Technique &t, Size size) { return session.renderer().render(s, t, size).color; },
+        [&](const Scene &s, const Technique &t, Size size) { return textbook_picture(s, resources(s), t, size).color; },
+        [&](const Scene &s, const Technique &t, Size size) {
+            return to_frame(render_reference(s, resources(s), t, size)).color;
+        }};
     if (options.layout == Layout::single || options.textbook_left) {
         note_no_effect(scene, options.textbook_left ? options.right : options.left);
     } else {
@@ -136,7 +139,7 @@ int run_capture(const CaptureFlags &flags, const CommonOptions &common) {
     for (int i = 0; i < frames; ++i) {
         scene.camera = orbit_camera(camera, orbit_degrees(flags.orbit.value_or(0), i, frames));
         const std::filesystem::path path(flags.frames ? frame_name(flags.out.string(), i) : flags.out.string());
-        const Image linear = draw_picture(scene, options, draw, textbook);
+        const Image linear = draw_picture(scene, options, painters);
         write_output(path, pfm ? encode_pfm(linear) : encode_png(show_picture(linear, options)));
         if (!flags.no_sidecar) {
             write_output(sidecar_path(path), sidecar_text(scene, options, by));
@@ -173,15 +176,16 @@ void add_capture(CLI::App &app, CommonOptions &common, Run &run) {
     add_parsed(command, "--left", "T", flags->left, parse_technique, "Technique of the left view, A");
     add_parsed(command, "--right", "T", flags->right, parse_technique, "Technique of the right view, B");
     add_parsed(command, "--layout", "LAYOUT", flags->layout, parse_layout,
-               "side-by-side, wipe or difference [side-by-side]");
+               "side-by-side, wipe, difference or three-up, whose third view is the truth [side-by-side]");
     add_value(command, "--gain", "G", flags->gain, "Factor on a difference in a PNG [1]");
     command.option_defaults()->group("Turntable");
     add_value(command, "--frames", "N", flags->frames, "Number of frames; --out must contain %04d");
     add_value(command, "--orbit", "DEG", flags->orbit,
               "Total turn in degrees, about the target and the up axis; frame k is turned by DEG k/N");
     command.footer(
-        "--size is the size of the whole file: side by side, each view has half the width, and the left one\n"
-        "has the extra column of an odd width. A difference is G |left - right| in a PNG and left - right\n"
+        "--size is the size of the whole file: side by side, each view has half the width, three-up a third,\n"
+        "and the first ones have the columns that are left over. A difference is G |left - right| in a PNG and left - "
+        "right\n"
         "in a PFM.");
     run_when_chosen(command, common, run, flags, run_capture);
 }

@@ -75,6 +75,7 @@ std::vector<Action> make_actions() {
         show_layout('2', "wipe", "A and B in one picture; drag the divider", Layout::wipe),
         show_layout('3', "flip", "A, or B while Space is held", Layout::single),
         show_layout('4', "difference", "A - B in colours, with a scale", Layout::difference),
+        show_layout('5', "with the truth", "A, B and the double-precision reference of A's model", Layout::three_up),
         {keys, plain, GLFW_KEY_F, "F", "next frequency of A", "", next_value(frequency_key, false)},
         {keys, shift, GLFW_KEY_F, "Shift+F", "next frequency of B", "", next_value(frequency_key, true)},
         {keys, plain, GLFW_KEY_M, "M", "next reflection model of A", "", next_value(model_key, false)},

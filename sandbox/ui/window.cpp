@@ -3,6 +3,7 @@
 #include "capture/sidecar.h"
 #include "image/image_file.h"
 #include "measure/stability/textbook.h"
+#include "reference/reference.h"
 #include "render/context.h"
 #include "scene/scene_file.h"
 #include "ui/frame.h"
@@ -30,13 +31,14 @@ std::filesystem::path capture_views(const Session &session, ViewPainter &painter
     const Scene scene = scene_in_view(session.document, each); // so that the sidecar alone gives the same picture
     const PictureOptions options = picture_options(session, each);
     Renderer &renderer = painter.renderer();
-    const DrawView draw = [&](const Scene &s, const Technique &t, Size size) {
-        return renderer.render(s, t, size).color;
-    };
-    const DrawView textbook = [&](const Scene &s, const Technique &t, Size size) {
-        return textbook_picture(s, renderer.resources().load(s), t, size).color;
-    };
-    const Image linear = draw_picture(scene, options, draw, textbook);
+    const auto resources = [&](const Scene &s) { return renderer.resources().load(s); };
+    const Painters painters{
+        [&](const Scene &s, const Technique &t, Size size) { return renderer.render(s, t, size).color; },
+        [&](const Scene &s, const Technique &t, Size size) { return textbook_picture(s, resources(s), t, size).color; },
+        [&](const Scene &s, const Technique &t, Size size) {
+            return to_frame(render_reference(s, resources(s), t, size)).color;
+        }};
+    const Image linear = draw_picture(scene, options, painters);
     auto path = std::filesystem::absolute(free_name(capture_folder(), session.document.opened->name));
     write_file(path, encode_png(show_picture(linear, options)));
     write_file(sidecar_path(path), sidecar_text(scene, options, by));
@@ -49,7 +51,8 @@ Window::Window(const WindowOptions &options, Host &host)
     : assets_(options.assets), polls_shaders_(!options.shaders.folder().empty()),
       host_(host), drawn_by_{host.context().renderer(), host.context().version()}, gui_(host),
       painter_(options.assets, options.shaders), session_(first_document(options)),
-      bottom_({options.assets, options.shaders, drawn_by_, &host.context()}), frames_left_(settling_frames) {
+      bottom_({options.assets, options.shaders, drawn_by_, &host.context()}),
+      finder_({options.assets, options.shaders, drawn_by_, &host.context()}), frames_left_(settling_frames) {
     take_view(session_.view, options.file);
     session_.appearance.run_times = options.run_times;
     session_.scenes = builtin_scenes(assets_);
@@ -68,13 +71,13 @@ void Window::step() {
     }
 }
 
-bool Window::busy() const { return bottom_.busy() || masks_.busy(); }
+bool Window::busy() const { return bottom_.busy() || finder_.busy(); }
 
 void Window::take_input() {
     const Arrivals arrivals = host_.take_arrivals();
     const bool reloaded = polls_shaders_ && painter_.reload_changed_shaders();
     frames_left_ = arrivals.any || reloaded ? settling_frames : frames_left_;
-    const News news = std::max(bottom_.take_news(session_), masks_.take_news());
+    const News news = std::max(bottom_.take_news(session_), finder_.take_news());
     const int frames = news == News::none       ? 0
                        : news == News::progress ? 1
                                                 : settling_frames; // few beside a measurement
@@ -108,7 +111,7 @@ void Window::draw() {
     host_.set_full_screen(session_.appearance.full_screen);
     session_.widgets.begin_frame();
     gui_.begin_frame(session_.appearance);
-    masks_.update(session_, painter_);
+    finder_.update(session_, painter_);
     draw_frame(session_, painter_, bottom_);
     begin_window_surface(host_.framebuffer(), size);
     gui_.end_frame();

@@ -4,8 +4,8 @@
 #include "shading/technique.h"
 #include "ui/gui.h"
 #include "ui/host.h"
-#include "ui/mask_overlay.h"
 #include "ui/session/open_file.h"
+#include "ui/side_finder.h"
 #include "ui/tabs/bottom_panel.h"
 #include "ui/views/view_painter.h"
 
@@ -54,7 +54,7 @@ class Window {
     ViewPainter painter_;
     Session session_;
     BottomPanel bottom_;
-    MaskOverlay masks_;
+    SideFinder finder_;
     std::string shown_title_;
     int frames_left_;
 };

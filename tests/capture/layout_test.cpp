@@ -11,8 +11,8 @@ const glm::vec4 red(1, 0.25f, 0, 1);
 const glm::vec4 blue(0, 0.5f, 1, 1);
 
 Image composed(Layout layout, Size picture) {
-    const ViewSizes sizes = view_sizes(layout, picture);
-    return compose(layout, Image(sizes.left, red), Image(sizes.right, blue));
+    const std::vector<Size> sizes = view_sizes(layout, picture);
+    return compose(layout, std::vector{Image(sizes.front(), red), Image(sizes.back(), blue)});
 }
 
 /// The first column from which on row `y` is blue; all before must be red.
@@ -41,7 +41,7 @@ TEST(Layout, SideBySideKeepsEachViewWhole) {
     Image left({2, 2}, red), right({2, 2}, blue);
     left.at(1, 1) = glm::vec4(7);
     right.at(0, 1) = glm::vec4(8);
-    const Image picture = compose(Layout::side_by_side, left, right);
+    const Image picture = compose(Layout::side_by_side, std::vector{left, right});
     EXPECT_EQ(picture.at(1, 1), glm::vec4(7));
     EXPECT_EQ(picture.at(2, 1), glm::vec4(8));
     EXPECT_EQ(picture.at(2, 0), blue);
@@ -60,7 +60,7 @@ TEST(Layout, WipeTakesPixelsFromTheSamePlace) {
     Image left({4, 1}, red), right({4, 1}, blue);
     right.at(3, 0) = glm::vec4(9);
     right.at(0, 0) = glm::vec4(5);
-    const Image picture = compose(Layout::wipe, left, right);
+    const Image picture = compose(Layout::wipe, std::vector{left, right});
     EXPECT_EQ(picture.at(3, 0), glm::vec4(9));
     EXPECT_EQ(picture.at(0, 0), red);
 }
@@ -73,6 +73,22 @@ TEST(Layout, DifferenceIsSigned) {
 }
 
 TEST(Layout, ASingleViewIsItself) { EXPECT_EQ(composed(Layout::single, {3, 2}).pixels, Image({3, 2}, red).pixels); }
+
+TEST(Layout, ThreeUpSharesTheWidthAmongThree) {
+    for (const int width : {3, 4, 5, 9, 100}) {
+        const std::vector<Size> sizes = view_sizes(Layout::three_up, {width, 2});
+        ASSERT_EQ(sizes.size(), 3U);
+        EXPECT_EQ(sizes[0].width + sizes[1].width + sizes[2].width, width);
+        EXPECT_LE(sizes[0].width - sizes[2].width, 1);
+        const Image picture = compose(
+            Layout::three_up, std::vector{Image(sizes[0], red), Image(sizes[1], blue), Image(sizes[2], glm::vec4(3))});
+        EXPECT_EQ(picture.size, (Size{width, 2}));
+        EXPECT_EQ(picture.at(sizes[0].width - 1, 1), red);
+        EXPECT_EQ(picture.at(sizes[0].width, 1), blue);
+        EXPECT_EQ(picture.at(width - 1, 0), glm::vec4(3));
+    }
+    EXPECT_THROW(view_sizes(Layout::three_up, {2, 5}), InputError);
+}
 
 TEST(Layout, OneColumnCannotHoldTwoViews) { EXPECT_THROW(view_sizes(Layout::side_by_side, {1, 5}), InputError); }
 

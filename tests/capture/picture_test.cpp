@@ -31,7 +31,9 @@ PictureOptions two_views(Layout layout, Size size) {
     return options;
 }
 
-ByteImage shown(const PictureOptions &options) { return show_picture(draw_picture({}, options, fake), options); }
+ByteImage shown(const PictureOptions &options) {
+    return show_picture(draw_picture({}, options, {fake, {}, {}}), options);
+}
 
 // 0.2, 0.4, 0.6 times 255, rounded.
 constexpr Rgb left_color{51, 102, 153};
@@ -50,26 +52,50 @@ TEST(Picture, ViewsAreDrawnAtTheirOwnSize) {
         sizes.push_back(size);
         return fake(s, t, size);
     };
-    draw_picture({}, two_views(Layout::side_by_side, {9, 4}), spy);
-    draw_picture({}, two_views(Layout::wipe, {9, 4}), spy);
+    draw_picture({}, two_views(Layout::side_by_side, {9, 4}), {spy, {}, {}});
+    draw_picture({}, two_views(Layout::wipe, {9, 4}), {spy, {}, {}});
     EXPECT_EQ(sizes, (std::vector<Size>{{5, 4}, {4, 4}, {9, 4}, {9, 4}}));
 }
 
 TEST(Picture, ASingleViewIsDrawnOnce) {
     int drawn = 0;
     PictureOptions options;
-    draw_picture({}, options, [&](const Scene &s, const Technique &t, Size size) {
+    const auto count = [&](const Scene &s, const Technique &t, Size size) {
         ++drawn;
         return fake(s, t, size);
-    });
+    };
+    draw_picture({}, options, {count, {}, {}});
     EXPECT_EQ(drawn, 1);
+}
+
+TEST(Picture, AThreeUpsLastViewIsTheTruthOfTheLeftOne) {
+    PictureOptions options = two_views(Layout::three_up, {7, 2});
+    options.left = parse_technique("per-vertex/phong:gate=none");
+    std::string asked;
+    const auto truth = [&](const Scene &, const Technique &t, Size size) {
+        asked = to_string(t);
+        return Image(size, glm::vec4(1));
+    };
+    const ByteImage picture = show_picture(draw_picture({}, options, {fake, {}, truth}), options);
+    EXPECT_EQ(asked, "per-pixel/phong");
+    EXPECT_EQ(pixel(picture, 4, 0), right_color);
+    EXPECT_EQ(pixel(picture, 5, 0), (Rgb{255, 255, 255}));
+}
+
+TEST(Picture, LabelledViewsAreDividedWhereTheSecondBegins) {
+    PictureOptions options = two_views(Layout::side_by_side, {201, 40});
+    const ByteImage plain = shown(options);
+    EXPECT_EQ(pixel(plain, 100, 39), left_color) << "the left one has the odd column";
+    EXPECT_EQ(pixel(plain, 101, 39), right_color);
+    options.labels = true;
+    EXPECT_EQ(pixel(shown(options), 100, 39), (Rgb{255, 255, 255}));
 }
 
 TEST(Picture, ATextbooksLeftViewIsDrawnByIt) {
     PictureOptions options = two_views(Layout::side_by_side, {4, 2});
     options.textbook_left = true;
     const auto white = [](const Scene &, const Technique &, Size size) { return Image(size, glm::vec4(1)); };
-    const ByteImage picture = show_picture(draw_picture({}, options, fake, white), options);
+    const ByteImage picture = show_picture(draw_picture({}, options, {fake, white, {}}), options);
     EXPECT_EQ(pixel(picture, 1, 0), (Rgb{255, 255, 255}));
     EXPECT_EQ(pixel(picture, 2, 0), right_color);
     EXPECT_EQ(textbook_name(options.left), "textbook float32/phong");
@@ -77,7 +103,7 @@ TEST(Picture, ATextbooksLeftViewIsDrawnByIt) {
 
 TEST(Picture, AWipeHasADividerAndItsDataHasNone) {
     const PictureOptions options = two_views(Layout::wipe, {8, 2});
-    const Image data = draw_picture({}, options, fake);
+    const Image data = draw_picture({}, options, {fake, {}, {}});
     EXPECT_EQ(data.at(3, 0), glm::vec4(0.2f, 0.4f, 0.6f, 1));
     EXPECT_EQ(data.at(4, 0), glm::vec4(0.4f, 0.2f, 0.6f, 1));
     const ByteImage picture = show_picture(data, options);
@@ -122,7 +148,7 @@ TEST(Picture, LabelsOfAWipeStandOverTheirViews) {
 TEST(Picture, ADifferenceIsSignedAsDataAndMagnifiedAsPicture) {
     PictureOptions options = two_views(Layout::difference, {2, 2});
     options.gain = 2;
-    const Image data = draw_picture({}, options, fake);
+    const Image data = draw_picture({}, options, {fake, {}, {}});
     EXPECT_EQ(data.at(1, 1), glm::vec4(0.2f - 0.4f, 0.4f - 0.2f, 0, 1)) << "gain belongs to the picture";
     EXPECT_EQ(pixel(show_picture(data, options), 1, 1), (Rgb{102, 102, 0}));
     options.exposure = 0.5;
@@ -134,7 +160,7 @@ TEST(Picture, ANonFiniteDifferenceIsNotHidden) {
     const auto broken = [](const Scene &, const Technique &, Size size) {
         return Image(size, glm::vec4(std::numeric_limits<float>::infinity()));
     };
-    const Image data = draw_picture({}, options, broken);
+    const Image data = draw_picture({}, options, {broken, {}, {}});
     EXPECT_EQ(pixel(show_picture(data, options), 0, 0), (Rgb{255, 0, 255})) << "magenta";
 }
 

@@ -107,6 +107,35 @@ shot 1b.png
     expect_same("1.png", "1b.png");
 }
 
+TEST_F(ScriptGl, TheTruthStandsUnderEachView) {
+    EXPECT_PLAYED(play(R"(
+expect View/differ "A and B differ in: frequency, model"
+expect View/description "highlights"
+expect A/error "max 0."
+expect B/error "max 1"
+key 5
+expect Truth/name "Phong, per pixel"
+key 4
+click Difference/fit
+click "Difference/B − truth"
+expect Difference/largest e-0
+key X
+key X
+click Technique/A/per-pixel
+click Technique/A/blinn-phong
+expect View/differ "same technique"
+click "Difference/A − B"
+expect Difference/largest "no pixel differs"
+)"));
+    const ProcessResult timed = run_sandbox({"view", "--script", folder.file("times.txt")},
+                                            "echo 'expect A/time ms' > " + folder.file("times.txt") + " &&");
+    EXPECT_EQ(timed.exit_code, 0) << timed.err;
+}
+
+TEST_F(ScriptGl, FindingsNeverOutliveWhatTheyAreOf) { // masks of one size over a picture of another
+    EXPECT_PLAYED(play("key K\nshot masks.png\nkey 4\nwait\nkey 1\nkey 2\nkey 5\nsize 700x500\nkey 1\nwait\n"));
+}
+
 TEST_F(ScriptGl, ACaptureRestoresTheView) {
     EXPECT_PLAYED(play("key F12\nexpect Status Captured\nkey F12\n"));
     expect_same("three-point-lights-001.png", "three-point-lights-002.png");

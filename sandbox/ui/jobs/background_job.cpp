@@ -23,6 +23,15 @@ bool JobReporter::report(double share) {
     return !stop_.stop_requested();
 }
 
+void JobReporter::wake() {
+    {
+        const std::lock_guard lock(mutex_);
+        last_news_ = Clock::now();
+        news_ = true;
+    }
+    wake_();
+}
+
 void JobReporter::say(std::string doing) {
     const std::lock_guard lock(mutex_);
     progress_.doing = std::move(doing);

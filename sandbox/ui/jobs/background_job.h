@@ -23,6 +23,9 @@ class JobReporter {
   public:
     /// False once the job has been cancelled; the work should then end soon.
     bool report(double share);
+    [[nodiscard]] bool cancelled() const { return stop_.stop_requested(); }
+    /// There is something new to show, now.
+    void wake();
     void say(std::string doing);
 
   private:

@@ -19,6 +19,7 @@ struct ViewSettings {
     float divider = 0.5F;                 ///< wipe: A's share of the width
     bool show_right = false;              ///< single: B
     double gain = 4;                      ///< difference
+    DifferenceOf difference_of = DifferenceOf::a_b;
     bool wireframe = false;
     bool masks = false; ///< shows which pixels error figures leave out
 };

@@ -62,7 +62,7 @@ PictureOptions picture_options(const Session &session, Size each) {
     options.left = single_right ? document.right : document.left;
     options.right = document.right;
     options.textbook_left = !single_right && document.left_is_textbook();
-    options.size = options.layout == Layout::side_by_side ? Size{each.width * 2, each.height} : each;
+    options.size = {each.width * columns_of(options.layout), each.height};
     options.display = document.display;
     options.exposure = document.exposure;
     options.gain = session.view.gain;

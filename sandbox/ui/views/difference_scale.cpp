@@ -8,6 +8,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <string>
+#include <utility>
 
 namespace sandbox {
 
@@ -36,42 +37,68 @@ void centred_text(float x, float y, const std::string &text) {
     ImGui::GetWindowDrawList()->AddText({x - width / 2, y}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
 }
 
-/// The bar, five numbers below it and, if they fit, what its ends mean beside it.
-void draw_scale(const Rect &bar, const Rect &picture, double gain) {
+std::pair<const char *, const char *> names_of(DifferenceOf of) {
+    switch (of) {
+    case DifferenceOf::a_b:
+        break;
+    case DifferenceOf::a_truth:
+        return {"A", "truth"};
+    case DifferenceOf::b_truth:
+        return {"B", "truth"};
+    }
+    return {"A", "B"};
+}
+
+/// In the picture's foot: the bar, five numbers below it, what its ends mean beside it.
+void draw_scale(const Session &session, const Rect &picture) {
+    const float em = ImGui::GetFontSize();
+    const float half = std::min(picture.width() * 0.25F, em * 14);
+    const float middle = (picture.low.x + picture.high.x) / 2;
+    const float top = picture.high.y - em * 2.6F;
+    const Rect bar{{middle - half, top}, {middle + half, top + em}};
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    const auto [first, second] = names_of(session.view.difference_of);
+    const std::string left = fmt::format("{} brighter", second), right = fmt::format("{} brighter", first);
+    const float gap = em * 0.7F;
+    const float wider = std::max(ImGui::CalcTextSize(left.c_str()).x, ImGui::CalcTextSize(right.c_str()).x) + gap * 2;
+    list.AddRectFilled({bar.low.x - wider, top - em * 0.4F}, {bar.high.x + wider, picture.high.y},
+                       ImGui::GetColorU32(ImGuiCol_WindowBg, 0.9F));
     draw_bar(bar);
     for (int i = -2; i <= 2; ++i) {
-        const float x = (bar.low.x + bar.high.x) / 2 + bar.width() / 4 * static_cast<float>(i);
-        centred_text(x, bar.high.y + 2, i == 0 ? "0" : fmt::format("{:+.3g}", i / 2.0 / gain));
+        const float x = middle + half / 2 * static_cast<float>(i);
+        centred_text(x, bar.high.y + 2, i == 0 ? "0" : fmt::format("{:+.3g}", i / 2.0 / session.view.gain));
     }
-    const float gap = ImGui::GetFontSize();
-    const float width = ImGui::CalcTextSize("B brighter").x;
-    if (bar.low.x - gap - width > picture.low.x) {
-        ImDrawList &list = *ImGui::GetWindowDrawList();
-        const float y = bar.low.y - 1;
-        list.AddText({bar.low.x - gap - width, y}, ImGui::GetColorU32(side_color(true)), "B brighter");
-        list.AddText({bar.high.x + gap, y}, ImGui::GetColorU32(side_color(false)), "A brighter");
-    }
+    const ImU32 color = ImGui::GetColorU32(ImGuiCol_Text);
+    list.AddText({bar.low.x - gap - ImGui::CalcTextSize(left.c_str()).x, top - 1}, color, left.c_str());
+    list.AddText({bar.high.x + gap, top - 1}, color, right.c_str());
 }
 
 } // namespace
 
-float difference_scale_height() { return ImGui::GetFrameHeight() * 2 + ImGui::GetTextLineHeight() + 14; }
+void difference_scale(Session &session, const Rect &picture) { draw_scale(session, picture); }
 
-void difference_scale(Session &session, const ViewPainter &painter, const Rect &picture) {
-    const float font = ImGui::GetFontSize();
+void difference_controls(Session &session, const ViewPainter &painter, const Rect &picture) {
+    const ScopedName scope(session, "Difference");
+    const float em = ImGui::GetFontSize();
     const float middle = (picture.low.x + picture.high.x) / 2;
-    const float half = std::min(picture.width() * 0.25F, font * 14);
-    const float top = picture.high.y + 5;
-    draw_scale({{middle - half, top}, {middle + half, top + font}}, picture, session.view.gain);
-
-    ImGui::SetCursorScreenPos({middle - half, top + font * 2 + 8});
-    ImGui::PushItemWidth(half);
-    ImGui::AlignTextToFramePadding();
+    ImGui::SetCursorScreenPos(
+        {std::max(picture.low.x + 6, middle - em * 19), picture.high.y + ImGui::GetFrameHeight()});
+    constexpr std::pair<DifferenceOf, const char *> choices[] = {{DifferenceOf::a_b, "A \xE2\x88\x92 B"},
+                                                                 {DifferenceOf::a_truth, "A \xE2\x88\x92 truth"},
+                                                                 {DifferenceOf::b_truth, "B \xE2\x88\x92 truth"}};
+    for (const auto &[of, name] : choices) {
+        if (toggle_button(session, name, session.view.difference_of == of,
+                          "The truth is the double-precision reference of that side's model.")) {
+            session.view.difference_of = of;
+        }
+        ImGui::SameLine(0, 2);
+    }
+    ImGui::SameLine();
     ImGui::TextUnformatted("gain");
     ImGui::SameLine();
+    ImGui::SetNextItemWidth(em * 7);
     slider(session, {"gain", gain_range, "Multiplies the difference before it is coloured."}, session.view.gain,
            ViewSettings{}.gain);
-    ImGui::PopItemWidth();
     ImGui::SameLine();
     const double largest = painter.largest_difference();
     if (button(session, "fit", "The gain at which the largest difference reaches the end of the scale.") &&
@@ -79,9 +106,12 @@ void difference_scale(Session &session, const ViewPainter &painter, const Rect &
         session.view.gain = nearest_accepted(1 / largest, gain_range);
     }
     ImGui::SameLine();
-    const std::string number = std::isfinite(largest) ? fmt::format("{:.3g}", largest) : "not finite";
-    ImGui::TextColored(std::isfinite(largest) ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : error_text(),
-                       "largest |A \xE2\x88\x92 B|  %s", number.c_str());
+    const std::string text = !std::isfinite(largest) ? "not finite"
+                             : largest == 0          ? "no pixel differs"
+                                                     : fmt::format("largest {:.3g}", largest);
+    ImGui::TextColored(std::isfinite(largest) ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : error_text(), "%s",
+                       painter.difference_texture() != 0 ? text.c_str() : "");
+    describe_item(session, "largest", "", text);
 }
 
 } // namespace sandbox

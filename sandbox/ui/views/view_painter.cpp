@@ -4,22 +4,18 @@
 #include "shading/prepared_object.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <exception>
 #include <glm/common.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
+#include <utility>
 
 namespace sandbox {
 
 namespace {
 
 constexpr glm::vec3 wireframe_color{0.9F, 0.9F, 0.9F};
-
-double milliseconds_since(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
 
 /// Infinite if a pixel of either is not finite.
 double largest_channel_difference(const Image &left, const Image &right) {
@@ -35,29 +31,12 @@ double largest_channel_difference(const Image &left, const Image &right) {
 
 } // namespace
 
-void ViewPainter::draw_timed(Side &side, const Key &key) {
-    const auto draw = [&] {
-        Renderer::finish();
-        const auto start = std::chrono::steady_clock::now();
-        renderer_.draw(key.scene, key.technique, *side.target);
-        Renderer::finish();
-        side.shown.milliseconds = milliseconds_since(start);
-    };
-    const int built_before = renderer_.programs_built();
-    draw();
-    if (renderer_.programs_built() != built_before) {
-        draw(); // the time of a picture, not of its compiler
-    }
-}
-
 void ViewPainter::draw_textbook(Side &side, const Key &key) {
     if (key.wireframe) {
         renderer_.draw(key.scene, key.technique, *side.target); // the depth that hides lines
     }
-    const auto start = std::chrono::steady_clock::now();
     const auto resources = renderer_.resources().load(key.scene);
     side.target->write_color(textbook_picture(key.scene, resources, key.technique, key.size).color);
-    side.shown.milliseconds = milliseconds_since(start);
 }
 
 /// Returns the number of non-finite pixels.
@@ -81,10 +60,14 @@ bool ViewPainter::paint_side(Side &side, const Key &key, const DisplayKey &displ
                 side.target.emplace(key.size);
                 side.display.emplace(key.size);
             }
-            key.textbook ? draw_textbook(side, key) : draw_timed(side, key);
+            if (key.textbook) {
+                draw_textbook(side, key);
+            } else {
+                renderer_.draw(key.scene, key.technique, *side.target);
+            }
             side.shown.warning = renderer_.shader_error();
             side.shown.nonfinite = display_side(side, display);
-            if (key.wireframe) { // after timing and counting, so that lines affect neither
+            if (key.wireframe) { // after counting, so that lines do not affect it
                 renderer_.draw_wireframe(key.scene, *side.target, wireframe_color);
                 side.displayed.reset();
             }
@@ -104,37 +87,112 @@ bool ViewPainter::paint_side(Side &side, const Key &key, const DisplayKey &displ
     return redraw;
 }
 
-void ViewPainter::paint_difference(double gain, bool changed) {
-    const bool both = sides_[0].shown.texture != 0 && sides_[1].shown.texture != 0;
-    if (!both || sides_[0].target->size() != sides_[1].target->size()) {
+/// True if the truth's picture is another one than before.
+bool ViewPainter::paint_truth(bool right, bool wanted, const DisplayKey &display) {
+    std::unique_ptr<Truth> &truth = truths_[right ? 1 : 0];
+    const std::shared_ptr<const Image> image =
+        wanted && findings_ ? findings_->sides[right ? 1 : 0].truth : std::shared_ptr<const Image>();
+    if (!image) {
+        return std::exchange(truth, nullptr) != nullptr;
+    }
+    const bool redraw = !truth || truth->image != image;
+    if (!truth || truth->target.size() != image->size) {
+        truth = std::make_unique<Truth>(image->size);
+    }
+    if (redraw) {
+        truth->target.write_color(*image);
+        truth->image = image;
+    }
+    if (redraw || truth->displayed != display) {
+        display_pass_.run(truth->target, truth->display, display.display, static_cast<float>(display.exposure));
+        truth->displayed = display;
+    }
+    return redraw;
+}
+
+void ViewPainter::paint_masks(bool right, bool wanted, const DisplayKey &display) {
+    std::unique_ptr<Masks> &masks = masks_[right ? 1 : 0];
+    const Side &side = sides_[right ? 1 : 0];
+    if (!wanted || !findings_ || findings_->sides[right ? 1 : 0].uses.empty() || side.shown.texture == 0) {
+        masks.reset();
+        return;
+    }
+    if (!masks || masks->findings != findings_ || masks->display_key != display) {
+        const ByteImage shown = to_display(side.target->read_color(), display.display, display.exposure);
+        masks = std::make_unique<Masks>(
+            Masks{findings_, display, DisplayTexture(mask_picture(shown, findings_->sides[right ? 1 : 0].uses))});
+    }
+}
+
+unsigned ViewPainter::mask_texture(bool right) const {
+    const auto &masks = masks_[right ? 1 : 0];
+    return masks ? masks->texture.texture() : 0;
+}
+
+unsigned ViewPainter::truth_texture(bool right) const {
+    const auto &truth = truths_[right ? 1 : 0];
+    return truth ? truth->display.texture() : 0;
+}
+
+/// One of the two pictures of a difference; null: there is none.
+const Target *ViewPainter::target_of(DifferenceOf of, bool second) const {
+    if (second && of != DifferenceOf::a_b) {
+        const auto &truth = truths_[of == DifferenceOf::b_truth ? 1 : 0];
+        return truth ? &truth->target : nullptr;
+    }
+    const Side &side = sides_[second || of == DifferenceOf::b_truth ? 1 : 0];
+    return side.shown.texture != 0 ? &*side.target : nullptr;
+}
+
+void ViewPainter::paint_difference(const ViewSettings &view, bool changed) {
+    const Target *first = target_of(view.difference_of, false);
+    const Target *second = target_of(view.difference_of, true);
+    if (first == nullptr || second == nullptr || first->size() != second->size()) {
         difference_.reset();
         return;
     }
-    const Size size = sides_[0].target->size();
-    if (difference_ && difference_->size() == size && !changed && gain == difference_gain_) {
+    const Size size = first->size();
+    if (difference_ && difference_->size() == size && !changed && view.gain == difference_gain_ &&
+        view.difference_of == difference_of_) {
         return;
     }
     if (!difference_ || difference_->size() != size) {
         difference_.reset();
         difference_.emplace(size);
     }
-    display_pass_.run_difference(*sides_[0].target, *sides_[1].target, *difference_, static_cast<float>(gain));
-    difference_gain_ = gain;
+    display_pass_.run_difference(*first, *second, *difference_, static_cast<float>(view.gain));
+    difference_gain_ = view.gain;
+    difference_of_ = view.difference_of;
+}
+
+SidesShown ViewPainter::sides_shown(const Document &document) const {
+    const Size size = view(false).size;
+    return {scene_in_view(document, size), document.left, document.right, document.left_is_textbook(), size, reloads_};
 }
 
 void ViewPainter::paint(const Session &session, Size each) {
     const Document &document = session.document;
+    const ViewSettings &view = session.view;
     const DisplayKey display{document.display, document.exposure};
-    bool changed = false;
+    bool changed = view.difference_of != difference_of_;
     const Scene seen = scene_in_view(document, each);
     for (const bool right : {false, true}) {
         const bool textbook = !right && document.left_is_textbook();
-        const Key key{seen, session.technique(right), each, textbook, session.view.wireframe, reloads_};
+        const Key key{seen, session.technique(right), each, textbook, view.wireframe, reloads_};
         changed |= paint_side(sides_[right ? 1 : 0], key, display);
     }
+    if (findings_ && !(findings_->of == sides_shown(document))) {
+        findings_.reset();
+    }
+    for (const bool right : {false, true}) {
+        const bool in_difference = view.layout == Layout::difference &&
+                                   view.difference_of == (right ? DifferenceOf::b_truth : DifferenceOf::a_truth);
+        changed |= paint_truth(right, in_difference || (!right && view.layout == Layout::three_up), display);
+        paint_masks(right, view.masks && view.layout != Layout::difference, display);
+    }
     measured_ = measured_ && !changed;
-    if (session.view.layout == Layout::difference) {
-        paint_difference(session.view.gain, changed);
+    if (view.layout == Layout::difference) {
+        paint_difference(view, changed);
     } else {
         difference_.reset();
     }
@@ -145,7 +203,8 @@ void ViewPainter::measure_difference() {
         return;
     }
     measured_ = true;
-    largest_difference_ = largest_channel_difference(sides_[0].target->read_color(), sides_[1].target->read_color());
+    largest_difference_ = largest_channel_difference(target_of(difference_of_, false)->read_color(),
+                                                     target_of(difference_of_, true)->read_color());
 }
 
 std::vector<std::size_t> ViewPainter::triangles(const Scene &scene) {

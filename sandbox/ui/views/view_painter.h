@@ -1,11 +1,12 @@
 #pragma once
 
-#include "measure/metrics/metrics.h"
 #include "render/display_pass.h"
 #include "render/renderer.h"
+#include "ui/session/findings.h"
 #include "ui/session/session.h"
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,17 +18,9 @@ namespace sandbox {
 struct PaintedView {
     unsigned texture = 0; ///< bottom row first; 0: no picture
     Size size;
-    double milliseconds = 0; ///< of the last drawing, without compiling shaders
-    unsigned nonfinite = 0;  ///< pixels that are NaN or infinite; magenta in the picture
-    std::string error;       ///< why there is none
-    std::string warning;     ///< there is one, but a shader does not build
-};
-
-/// Which pixels of a side errors leave out.
-struct PaintedMasks {
-    unsigned texture = 0;           ///< in place of the picture; 0: not known
-    double progress = 1;            ///< of finding them
-    std::optional<Metrics> metrics; ///< of the side against its reference
+    unsigned nonfinite = 0; ///< pixels that are NaN or infinite; magenta in the picture
+    std::string error;      ///< why there is none
+    std::string warning;    ///< there is one, but a shader does not build
 };
 
 /// Draws the two pictures, each only if something in it has changed.
@@ -40,11 +33,18 @@ class ViewPainter {
     void paint(const Session &session, Size each);
 
     [[nodiscard]] const PaintedView &view(bool right) const { return sides_[right ? 1 : 0].shown; }
-    [[nodiscard]] const PaintedMasks &masks(bool right) const { return masks_[right ? 1 : 0]; }
-    void show_masks(bool right, const PaintedMasks &masks) { masks_[right ? 1 : 0] = masks; }
-    /// 0 until both sides have a picture.
+    /// All that findings about what is shown depend on, the views being of the size that they were last painted in.
+    [[nodiscard]] SidesShown sides_shown(const Document &document) const;
+    /// What has been found out; dropped when something else is shown. Null: nothing yet.
+    void show_findings(std::shared_ptr<const Findings> findings) { findings_ = std::move(findings); }
+    [[nodiscard]] const Findings *findings() const { return findings_.get(); }
+    /// In place of a side's picture: which pixels errors leave out; 0: not known, or not asked for.
+    [[nodiscard]] unsigned mask_texture(bool right) const;
+    /// The reference of a side's model; 0: not known, or not asked for.
+    [[nodiscard]] unsigned truth_texture(bool right) const;
+    /// 0 until both pictures are there.
     [[nodiscard]] unsigned difference_texture() const { return difference_ ? difference_->texture() : 0; }
-    /// The largest |A - B| of any channel, from the last measure_difference(); infinite if a pixel is not finite.
+    /// The largest difference of any channel, from the last measure_difference(); infinite if a pixel is not finite.
     [[nodiscard]] double largest_difference() const { return largest_difference_; }
     /// Reads both pictures back if they have changed; slow, so not while something is dragged.
     void measure_difference();
@@ -83,18 +83,37 @@ class ViewPainter {
         PaintedView shown;
     };
 
+    /// A picture made from findings, on the graphics card.
+    struct Truth {
+        std::shared_ptr<const Image> image;
+        Target target;
+        DisplayTexture display;
+        std::optional<DisplayKey> displayed;
+        explicit Truth(Size size) : target(size), display(size) {}
+    };
+    struct Masks {
+        std::shared_ptr<const Findings> findings;
+        DisplayKey display_key;
+        DisplayTexture texture;
+    };
+
     bool paint_side(Side &side, const Key &key, const DisplayKey &display);
-    void draw_timed(Side &side, const Key &key);
+    bool paint_truth(bool right, bool wanted, const DisplayKey &display);
+    void paint_masks(bool right, bool wanted, const DisplayKey &display);
     void draw_textbook(Side &side, const Key &key);
     unsigned display_side(Side &side, const DisplayKey &display);
-    void paint_difference(double gain, bool changed);
+    void paint_difference(const ViewSettings &view, bool changed);
+    [[nodiscard]] const Target *target_of(DifferenceOf of, bool second) const;
 
     Renderer renderer_;
     DisplayPass display_pass_;
     std::array<Side, 2> sides_;
-    std::array<PaintedMasks, 2> masks_;
+    std::shared_ptr<const Findings> findings_;
+    std::array<std::unique_ptr<Truth>, 2> truths_;
+    std::array<std::unique_ptr<Masks>, 2> masks_;
     std::optional<DisplayTexture> difference_;
     double difference_gain_ = 0;
+    DifferenceOf difference_of_ = DifferenceOf::a_b;
     bool measured_ = false;
     double largest_difference_ = 0;
     int reloads_ = 0;

@@ -1,0 +1,154 @@
+#include "ui/jobs/side_findings.h"
+
+#include "capture/picture.h"
+#include "image/error.h"
+#include "measure/stability/textbook.h"
+#include "reference/reference.h"
+#include "render/context.h"
+#include "render/frame_clock.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+namespace sandbox {
+
+namespace {
+
+constexpr int estimate_divisor = 4;     ///< of width and height
+constexpr int least_estimate_side = 48; ///< smaller pictures say little
+constexpr int timed_frames = 20;
+constexpr std::size_t fewest_times = 8; ///< of which a median says something
+constexpr std::chrono::milliseconds longest_timing{1200};
+
+/// Both sides' pictures and truths at one size.
+struct Drawn {
+    std::array<std::optional<Frame>, 2> frames;
+    std::array<std::shared_ptr<ReferenceFrame>, 2> truths;
+};
+
+class Finder {
+  public:
+    Finder(const SidesShown &shown, Renderer &renderer, JobReporter &reporter)
+        : shown_(shown), renderer_(renderer), reporter_(reporter), resources_(renderer.resources().load(shown.scene)) {}
+
+    [[nodiscard]] bool stopped() const { return reporter_.cancelled(); }
+
+    /// Throws Cancelled.
+    void compare_at(Size size, bool estimate, Findings &findings) {
+        Drawn drawn;
+        for (const bool right : {false, true}) {
+            SideFindings &side = findings.sides[right ? 1 : 0];
+            side.failure.clear();
+            try {
+                drawn.frames[right ? 1 : 0] = picture(right, size);
+                drawn.truths[right ? 1 : 0] =
+                    right && technique(false).model == technique(true).model && drawn.truths[0] ? drawn.truths[0]
+                                                                                                : truth(right, size);
+            } catch (const InputError &error) {
+                side.failure = error.what();
+            } catch (const MachineError &error) {
+                side.failure = error.what();
+            }
+            if (side.failure.empty()) {
+                judge(*drawn.frames[right ? 1 : 0], *drawn.truths[right ? 1 : 0], estimate, side);
+            }
+        }
+        if (!estimate && drawn.frames[0] && drawn.frames[1]) {
+            findings.apart = largest_difference(drawn.frames[0]->color, drawn.frames[1]->color);
+        }
+    }
+
+    /// In turns, so that whatever slows the machine slows both.
+    void take_times(Findings &findings) {
+        Target target(shown_.size);
+        std::array<std::vector<double>, 2> samples;
+        FrameClock clock(Context::software(), [&] { renderer_.draw(shown_.scene, technique(true), target); });
+        const auto end = std::chrono::steady_clock::now() + longest_timing;
+        for (int turn = -1; turn < timed_frames && !stopped() && std::chrono::steady_clock::now() < end; ++turn) {
+            for (const bool right : {false, true}) {
+                if (!findings.sides[right ? 1 : 0].failure.empty() || (!right && shown_.textbook_left)) {
+                    continue;
+                }
+                const double ms = clock.milliseconds([&] { renderer_.draw(shown_.scene, technique(right), target); });
+                if (turn >= 0) { // the first warms up
+                    samples[right ? 1 : 0].push_back(ms);
+                }
+            }
+        }
+        for (const std::size_t side : {0U, 1U}) {
+            if (samples[side].size() >= fewest_times) {
+                findings.sides[side].time = run_time(std::move(samples[side]));
+            }
+        }
+    }
+
+  private:
+    [[nodiscard]] const Technique &technique(bool right) const { return right ? shown_.right : shown_.left; }
+
+    [[nodiscard]] Frame picture(bool right, Size size) {
+        return !right && shown_.textbook_left ? textbook_picture(shown_.scene, resources_, shown_.left, size)
+                                              : renderer_.render(shown_.scene, technique(right), size, true);
+    }
+
+    [[nodiscard]] std::shared_ptr<ReferenceFrame> truth(bool right, Size size) {
+        return std::make_shared<ReferenceFrame>(render_reference(shown_.scene, resources_, truth_of(technique(right)),
+                                                                 size, Surface::mesh,
+                                                                 [this](double) { return !stopped(); }));
+    }
+
+    static void judge(const Frame &drawn, const ReferenceFrame &truth, bool estimate, SideFindings &side) {
+        side.metrics = compare(drawn, truth, Flip::without);
+        side.estimate = estimate;
+        if (!estimate) {
+            side.truth = std::make_shared<Image>(to_frame(truth).color);
+            side.uses = pixel_uses(drawn.object_ids, truth);
+        }
+    }
+
+    static double largest_difference(const Image &left, const Image &right) {
+        double largest = 0;
+        for (std::size_t i = 0; i < left.pixels.size(); ++i) {
+            for (int channel = 0; channel < 3; ++channel) {
+                const double apart = std::abs(static_cast<double>(left.pixels[i][channel]) -
+                                              static_cast<double>(right.pixels[i][channel]));
+                if (!std::isfinite(apart)) {
+                    return std::numeric_limits<double>::quiet_NaN();
+                }
+                largest = std::max(largest, apart);
+            }
+        }
+        return largest;
+    }
+
+    const SidesShown &shown_;
+    Renderer &renderer_;
+    JobReporter &reporter_;
+    std::vector<ObjectResources> resources_;
+};
+
+} // namespace
+
+void find_out(const SidesShown &shown, Renderer &renderer, JobReporter &reporter,
+              const std::function<void(const Findings &)> &publish) {
+    try {
+        Finder finder(shown, renderer, reporter);
+        Findings findings{shown, {}, {}};
+        const Size small{shown.size.width / estimate_divisor, shown.size.height / estimate_divisor};
+        if (std::min(small.width, small.height) >= least_estimate_side) {
+            finder.compare_at(small, true, findings);
+            publish(findings);
+        }
+        finder.compare_at(shown.size, false, findings);
+        publish(findings);
+        finder.take_times(findings);
+        if (!finder.stopped()) {
+            publish(findings);
+        }
+    } catch (const Cancelled &) {
+        return; // what is asked next is found out next
+    }
+}
+
+} // namespace sandbox

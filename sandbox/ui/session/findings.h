@@ -1,0 +1,41 @@
+#pragma once
+
+#include "measure/metrics/metrics.h"
+#include "measure/work_precision/run.h"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What is found out about both sides in the background while the window rests.
+namespace sandbox {
+
+/// All that the findings depend on.
+struct SidesShown {
+    Scene scene; ///< as a view of this size shows it
+    Technique left, right;
+    bool textbook_left = false; ///< A is drawn on the processor
+    Size size;                  ///< of one view
+    int shaders = 0;            ///< counts reloads
+    bool operator==(const SidesShown &) const = default;
+};
+
+struct SideFindings {
+    /// Against the reference of the side's model: every pixel, every fault off, in double precision.
+    std::optional<Metrics> metrics;
+    bool estimate = false;              ///< found at a quarter of the width and height
+    std::shared_ptr<const Image> truth; ///< that reference, at the view's size
+    std::vector<PixelUse> uses;         ///< of the view's pixels; empty: not known yet
+    std::optional<RunTime> time;        ///< of finished frames, taken in turns with the other side's
+    std::string failure;                ///< why there is no picture
+};
+
+struct Findings {
+    SidesShown of;
+    std::array<SideFindings, 2> sides;
+    std::optional<double> apart; ///< the largest |A - B| of any channel of any pixel, NaN if one is not finite
+};
+
+} // namespace sandbox

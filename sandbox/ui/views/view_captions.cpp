@@ -1,0 +1,222 @@
+#include "ui/views/view_captions.h"
+
+#include "capture/picture.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <imgui.h>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace sandbox {
+
+namespace {
+
+/// The first of `texts`, the longest first, that fits into `width`.
+std::string longest_that_fits(const std::vector<std::string> &texts, float width) {
+    const auto fits = [&](const std::string &text) { return ImGui::CalcTextSize(text.c_str()).x <= width; };
+    const auto found = std::ranges::find_if(texts, fits);
+    return found == texts.end() ? texts.back() : *found;
+}
+
+/// "A  per-vertex / phong", then what differs from the defaults.
+std::string side_name(const Session &session, bool right) {
+    const bool textbook = !right && session.document.left_is_textbook();
+    std::string text = textbook ? textbook_name(session.document.left) : to_string(session.technique(right));
+    if (const auto slash = text.find('/'); slash != std::string::npos) {
+        text.replace(slash, 1, " / ");
+    }
+    if (const auto colon = text.find(':'); colon != std::string::npos) {
+        text.replace(colon, 1, "    ");
+    }
+    return (right ? "B   " : "A   ") + text;
+}
+
+/// The names of the technique keys in which A and B differ.
+std::string differing_keys(const Document &document) {
+    std::string names;
+    for (const TechniqueKey &key : technique_keys()) {
+        if (key.get(document.left) != key.get(document.right)) {
+            names += fmt::format("{}{}", names.empty() ? "" : ", ", key.title);
+        }
+    }
+    return names;
+}
+
+std::string header_text(const Session &session, const ViewPainter &painter) {
+    const std::string keys =
+        session.document.left_is_textbook() ? "A is a textbook's float32" : differing_keys(session.document);
+    const Findings *findings = painter.findings();
+    const bool equal = findings != nullptr && findings->apart == 0.0;
+    if (keys.empty()) {
+        return "A and B are the same technique";
+    }
+    const std::string text =
+        session.document.left_is_textbook() ? keys + ", B is this program's" : "A and B differ in: " + keys;
+    return text + (equal                  ? "; their pictures are equal in every pixel"
+                   : session.same_picture ? "; both draw the same picture of this scene"
+                                          : "");
+}
+
+std::string level_word(int levels) { return levels == 1 ? "level" : "levels"; }
+
+/// The longest first.
+std::vector<std::string> error_texts(const SideFindings &side) {
+    const Metrics &metrics = *side.metrics;
+    const char *mark = side.estimate ? "  estimate" : "";
+    if (metrics.nonfinite_pixels > 0) {
+        return {
+            fmt::format("{} non-finite pixel{}", metrics.nonfinite_pixels, metrics.nonfinite_pixels == 1 ? "" : "s")};
+    }
+    if (std::isnan(metrics.norms.max_abs)) {
+        return {"error unknown: " + why_untrusted(metrics), "error unknown"};
+    }
+    const double most = metrics.norms.max_abs;
+    const int levels = metrics.max_levels.value_or(0);
+    const std::string max = levels == 0 ? fmt::format("{:.2g} (no level of 8 bits)", most)
+                                        : fmt::format("{:.2g} ({} {} of 8 bits)", most, levels, level_word(levels));
+    const std::string short_max = fmt::format("{:.2g} ({})", most, levels);
+    const double rmse = metrics.norms.rmse;
+    return {fmt::format("error against the truth: max {}, RMSE {:.2g}{}", max, rmse, mark),
+            fmt::format("error: max {}, RMSE {:.2g}{}", max, rmse, mark),
+            fmt::format("error: max {}, RMSE {:.2g}{}", short_max, rmse, mark),
+            fmt::format("max {}, RMSE {:.2g}{}", short_max, rmse, mark), fmt::format("max {:.2g}{}", most, mark)};
+}
+
+std::string milliseconds_text(double ms) { return fmt::format("{:.{}f}", ms, ms < 10 ? 1 : 0); }
+
+std::vector<std::string> time_texts(const RunTime &time) {
+    const std::string median = milliseconds_text(time.median);
+    const std::string spread =
+        fmt::format("{} to {}", milliseconds_text(time.lower_quartile), milliseconds_text(time.upper_quartile));
+    return {fmt::format("run time: {} ms a frame (half of {} frames: {})", median, time.samples.size(), spread),
+            fmt::format("{} ms a frame ({})", median, spread), fmt::format("{} ms ({})", median, spread),
+            median + " ms"};
+}
+
+/// Under a picture, in two lines.
+void draw_figures(Session &session, const ViewPainter &painter, const Rect &rect, bool right, bool align_right,
+                  bool run_time) {
+    const std::string name = right ? "B" : "A";
+    const PaintedView &view = painter.view(right);
+    if (view.texture == 0) {
+        return;
+    }
+    const float line = ImGui::GetFrameHeight();
+    const float room = rect.width() - ImGui::GetFontSize();
+    const Findings *findings = painter.findings();
+    const SideFindings *side = findings != nullptr ? &findings->sides[right ? 1 : 0] : nullptr;
+    const ImVec4 plain = ImGui::GetStyleColorVec4(ImGuiCol_Text);
+    if (view.nonfinite > 0) { // counted with every picture, also while something is dragged
+        draw_text_line(session, name + "/error", rect, rect.high.y, error_text(),
+                       fmt::format("{} non-finite pixel{}", view.nonfinite, view.nonfinite == 1 ? "" : "s"),
+                       align_right);
+    } else if (side != nullptr && side->metrics) {
+        draw_text_line(session, name + "/error", rect, rect.high.y, side->estimate ? quiet_text() : plain,
+                       longest_that_fits(error_texts(*side), room), align_right);
+    } else {
+        draw_text_line(session, name + "/error", rect, rect.high.y, quiet_text(), "error: not measured yet",
+                       align_right);
+    }
+    if (!run_time) {
+        return;
+    }
+    const bool timed = session.appearance.run_times && side != nullptr && side->time;
+    draw_text_line(session, name + "/time", rect, rect.high.y + line, plain,
+                   timed ? longest_that_fits(time_texts(*side->time), room) : "", align_right);
+}
+
+} // namespace
+
+float captions_above() { return ImGui::GetFrameHeight() * 3; }
+float captions_below() { return ImGui::GetFrameHeight() * 2; }
+
+void draw_text_line(Session &session, const std::string &name, const Rect &rect, float y, ImVec4 color,
+                    const std::string &text, bool align_right) {
+    constexpr float margin = 6;
+    const float left = rect.low.x + margin;
+    const float x = align_right ? std::max(left, rect.high.x - margin - ImGui::CalcTextSize(text.c_str()).x) : left;
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    list.PushClipRect({x, y}, {rect.high.x, y + ImGui::GetFrameHeight()}, true);
+    list.AddText({x, y + ImGui::GetStyle().FramePadding.y}, ImGui::GetColorU32(color), text.c_str());
+    list.PopClipRect();
+    describe_text(session, name, {x, y}, {rect.high.x, y + ImGui::GetFrameHeight()}, text);
+}
+
+void draw_header(Session &session, const ViewPainter &painter, ImVec2 corner, float width) {
+    const float line = ImGui::GetFrameHeight();
+    const Rect rect{corner, {corner.x + width, corner.y + 2 * line}};
+    draw_text_line(session, "View/differ", rect, corner.y, ImGui::GetStyleColorVec4(ImGuiCol_Text),
+                   header_text(session, painter), false);
+    draw_text_line(session, "View/description", rect, corner.y + line, quiet_text(), session.document.scene.description,
+                   false);
+}
+
+void draw_captions(Session &session, const ViewPainter &painter, const Rect &picture, bool right, bool align_right,
+                   bool run_time) {
+    draw_text_line(session, right ? "B/name" : "A/name", picture, picture.low.y - ImGui::GetFrameHeight(),
+                   side_color(right), side_name(session, right), align_right);
+    draw_figures(session, painter, picture, right, align_right, run_time);
+}
+
+void draw_truth_captions(Session &session, const Rect &picture, bool right) {
+    const Technique &technique = session.technique(right);
+    const std::string name = title_of(model_key, model_key.get(technique));
+    draw_text_line(session, "Truth/name", picture, picture.low.y - ImGui::GetFrameHeight(),
+                   ImGui::GetStyleColorVec4(ImGuiCol_Text), fmt::format("truth   {}, per pixel, in double", name),
+                   false);
+}
+
+void draw_mask_legend(const Session &session, const ViewPainter &painter, const Rect &picture, bool right,
+                      bool align_right) {
+    if (!session.view.masks || painter.view(right).texture == 0) {
+        return;
+    }
+    const Findings *findings = painter.findings();
+    const SideFindings *side = findings != nullptr ? &findings->sides[right ? 1 : 0] : nullptr;
+    std::vector<std::pair<ImU32, std::string>> lines;
+    if (side == nullptr || !side->metrics || side->uses.empty()) {
+        lines.emplace_back(0, "masks: not measured yet");
+    } else {
+        const Metrics &metrics = *side->metrics;
+        const double share = metrics.compared_share;
+        lines.emplace_back(0, std::isnan(share) ? "against its reference: nothing is shown"
+                                                : fmt::format("against its reference: {:.1f} % compared", 100 * share));
+        for (const Mask &mask : masks) {
+            const std::size_t pixels = metrics.*mask.pixels;
+            const auto [r, g, b] = mask.color;
+            lines.emplace_back(IM_COL32(r, g, b, 255), pixels == 0
+                                                           ? fmt::format("{}: none", mask.name)
+                                                           : fmt::format("{}: {} pixels, error up to {:.2g}", mask.name,
+                                                                         pixels, metrics.*mask.max_abs));
+        }
+    }
+    const float line = ImGui::GetTextLineHeightWithSpacing();
+    const float em = ImGui::GetFontSize();
+    float width = 0;
+    for (const auto &[color, text] : lines) {
+        width = std::max(width, ImGui::CalcTextSize(text.c_str()).x + (color != 0 ? em * 1.2F : 0));
+    }
+    const ImVec2 size{width + em, line * static_cast<float>(lines.size()) + em * 0.5F};
+    const float x = align_right ? picture.high.x - size.x : picture.low.x;
+    float y = picture.high.y - size.y;
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    list.PushClipRect(picture.low, picture.high, true);
+    list.AddRectFilled({x, y}, {x + size.x, y + size.y}, IM_COL32(16, 18, 22, 235));
+    y += em * 0.3F;
+    for (const auto &[color, text] : lines) {
+        const float left = x + em * 0.5F;
+        if (color != 0) {
+            list.AddRectFilled({left, y + em * 0.15F}, {left + em * 0.8F, y + em * 0.95F}, color);
+        }
+        list.AddText({color != 0 ? left + em * 1.2F : left, y}, IM_COL32(240, 240, 240, 255), text.c_str());
+        y += line;
+    }
+    list.PopClipRect();
+}
+
+} // namespace sandbox
