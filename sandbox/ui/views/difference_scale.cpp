@@ -106,9 +106,11 @@ void difference_controls(Session &session, const ViewPainter &painter, const Rec
         session.view.gain = nearest_accepted(1 / largest, gain_range);
     }
     ImGui::SameLine();
-    const std::string text = !std::isfinite(largest) ? "not finite"
-                             : largest == 0          ? "no pixel differs"
-                                                     : fmt::format("largest {:.3g}", largest);
+    const std::string text =
+        !std::isfinite(largest) ? "not finite"
+        : largest == 0          ? "no pixel differs"
+                                : fmt::format("largest {:.3g}{}", largest,
+                                     session.view.difference_of == DifferenceOf::a_b ? "" : ", edges included");
     ImGui::TextColored(std::isfinite(largest) ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : error_text(), "%s",
                        painter.difference_texture() != 0 ? text.c_str() : "");
     describe_item(session, "largest", "", text);

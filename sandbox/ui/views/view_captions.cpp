@@ -23,6 +23,19 @@ std::string longest_that_fits(const std::vector<std::string> &texts, float width
     return found == texts.end() ? texts.back() : *found;
 }
 
+/// With dots in place of the words that do not fit.
+std::string shortened(std::string text, float width) {
+    const auto fits = [&](const std::string &t) { return ImGui::CalcTextSize(t.c_str()).x <= width; };
+    if (fits(text)) {
+        return text;
+    }
+    while (!text.empty() && !fits(text + " ...")) {
+        const auto last_word = text.find_last_of(' ');
+        text.erase(last_word == std::string::npos ? 0 : last_word);
+    }
+    return text + " ...";
+}
+
 /// "A  per-vertex / phong", then what differs from the defaults.
 std::string side_name(const Session &session, bool right) {
     const bool textbook = !right && session.document.left_is_textbook();
@@ -152,8 +165,12 @@ void draw_header(Session &session, const ViewPainter &painter, ImVec2 corner, fl
     const Rect rect{corner, {corner.x + width, corner.y + 2 * line}};
     draw_text_line(session, "View/differ", rect, corner.y, ImGui::GetStyleColorVec4(ImGuiCol_Text),
                    header_text(session, painter), false);
-    draw_text_line(session, "View/description", rect, corner.y + line, quiet_text(), session.document.scene.description,
-                   false);
+    const std::string &description = session.document.scene.description;
+    draw_text_line(session, "View/description", rect, corner.y + line, quiet_text(),
+                   shortened(description, width - ImGui::GetFontSize()), false);
+    if (ImGui::IsMouseHoveringRect({corner.x, corner.y + line}, rect.high)) {
+        session.hint = description;
+    }
 }
 
 void draw_captions(Session &session, const ViewPainter &painter, const Rect &picture, bool right, bool align_right,

@@ -28,7 +28,7 @@ TEST(Script, KeysAreNamedAsTheListOfKeysNamesThem) {
     EXPECT_EQ(parse_key("Ctrl+Shift+Z").mods, GLFW_MOD_CONTROL | GLFW_MOD_SHIFT);
     EXPECT_EQ(parse_key("Ctrl++").key, GLFW_KEY_EQUAL);
     EXPECT_EQ(parse_key("PageDown").key, GLFW_KEY_PAGE_DOWN);
-    for (const char *wrong : {"", "F", "F0", "F26", "F1x", "Strg+Z", "Ctrl+", "Nothing"}) {
+    for (const char *wrong : {"", "F0", "F26", "F1x", "Strg+Z", "Ctrl+", "Nothing"}) {
         EXPECT_THROW(parse_key(wrong), InputError) << wrong;
     }
 }
