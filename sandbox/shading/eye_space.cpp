@@ -22,19 +22,24 @@ double reach_of(const Camera &camera, const Object &object, const Mesh &mesh) {
     return glm::length(middle + (object.transform.translate - camera.position)) + half.x + half.y + half.z;
 }
 
-double length_scale(const Scene &scene, const Object &object, const Mesh &mesh) {
-    const double reach = reach_of(scene.camera, object, mesh);
-    const double low = reach > 0 ? std::min(reach, scene.camera.near_plane) : scene.camera.near_plane;
-    double high = std::max(reach, scene.camera.near_plane);
+/// A power of two that brings lengths between these, and as far as the lights from `origin`, to where their squares are
+/// float32's.
+double length_scale(const Scene &scene, const glm::dvec3 &origin, double low, double high) {
     for (const Light &light : scene.lights) {
         if (has_position(light)) {
-            high = std::max(high, glm::length(light.position - scene.camera.position));
+            high = std::max(high, glm::length(light.position - origin));
         }
     }
     if (low >= smallest && high <= largest) {
         return 1;
     }
     return std::exp2(-std::nearbyint(0.5 * (std::log2(low) + std::log2(high))));
+}
+
+double length_scale(const Scene &scene, const Object &object, const Mesh &mesh) {
+    const double reach = reach_of(scene.camera, object, mesh);
+    const double near = scene.camera.near_plane;
+    return length_scale(scene, scene.camera.position, reach > 0 ? std::min(reach, near) : near, std::max(reach, near));
 }
 
 double largest_element(const glm::dmat3 &m) {
@@ -97,8 +102,16 @@ EyeSpace eye_space(const Scene &scene, const Object &object, const Mesh &mesh, c
     space.lit_model = space.model;
     space.lit_origin = scene.camera.position;
     space.eye = (scene.camera.position - moved) * space.lit_scale;
+    if (space.afar) {
+        const auto [center, radius] = bounding_ball(object, mesh);
+        space.lit_origin = center;
+        // A light on the surface is as near as a rounding of positions.
+        space.lit_scale =
+            radius > 0 ? length_scale(scene, center, 0x1p-24 * radius, glm::length(center - scene.camera.position))
+                       : space.scale;
+    }
     if (absolute || space.afar) {
-        space.lit_origin = absolute ? glm::dvec3(0) : bounding_ball(object, mesh).center;
+        space.lit_origin = absolute ? glm::dvec3(0) : space.lit_origin;
         const glm::dvec3 from_there = moved + (object.transform.translate - space.lit_origin);
         space.lit_model = glm::dmat4(linear * space.lit_scale);
         space.lit_model[3] = glm::dvec4(from_there * space.lit_scale, space.lit_scale);

@@ -109,7 +109,8 @@ void derive_normal_transform(Features &f, Normals normals, const glm::dmat3 &lin
     }
     if (normals == Normals::untransformed) {
         f.technique.normals = normals;
-    } else if (uniform && space.scale == 1 && std::abs(std::abs(glm::determinant(linear)) - 1) <= 1e-12) {
+    } else if (uniform && space.scale == 1 && space.lit_scale == 1 &&
+               std::abs(std::abs(glm::determinant(linear)) - 1) <= 1e-12) {
         f.normal_transform = NormalTransform::rigid;
     } else {
         f.normal_transform = NormalTransform::general;

@@ -78,6 +78,22 @@ TEST_F(NarrowViews, AnOrthographicFloorWithoutEndKeepsItsDigits) {
     EXPECT_LE(error(scene, "per-pixel/blinn-phong:program=full"), 5e-5);
 }
 
+/// Flattened to 2e-23, with a light in its middle: from its own middle, squares of such lengths vanish in float32.
+TEST_F(NarrowViews, AFlattenedSpeckWithALightInItIsFinite) {
+    Scene scene;
+    scene.camera = {.position = {0, 0, 2e-7}, .fov_y_degrees = 0.007, .near_plane = 2.845e-9};
+    scene.lights.resize(1);
+    scene.objects = {{"speck", CylinderShape{1, 2, 24, 2, false}, {{}, {0, -80, 1}, {-2e-23, 2e-12, 2e-12}}, {}, true}};
+    for (const char *technique :
+         {"hybrid/phong", "hybrid/blinn-phong", "per-pixel/phong", "per-pixel/phong:program=full"}) {
+        const Frame drawn = renderer_.render(scene, parse_technique(technique), size, true);
+        EXPECT_GT(std::count(drawn.object_ids.begin(), drawn.object_ids.end(), 1U), 0) << technique;
+        for (const glm::vec4 &color : drawn.color.pixels) {
+            ASSERT_TRUE(std::isfinite(color.r) && std::isfinite(color.g) && std::isfinite(color.b)) << technique;
+        }
+    }
+}
+
 TEST_F(NarrowViews, OnlyTheyPayForIt) {
     Scene scene = case_scene("narrow_soft_spot");
     const auto whole = resources_.load(scene)[0].mesh;
