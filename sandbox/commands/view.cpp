@@ -11,7 +11,8 @@ struct ViewFlags {
     std::string scene = "three-point-lights";
     std::optional<Technique> left, right; ///< absent: a sidecar's or the window's own
     std::string script;                   ///< a file; empty: a person works the window
-    Size size{1280, 720};
+    std::optional<Size> size;
+    std::filesystem::path settings; ///< empty: a window's own, a script's none
     bool no_times = false;
 };
 
@@ -38,6 +39,8 @@ int run_view(const ViewFlags &flags, const CommonOptions &common) {
     }
     options.size = flags.size;
     options.run_times = !flags.no_times;
+    options.settings_file = !flags.settings.empty() ? flags.settings : flags.script.empty() ? settings_file() : "";
+    options.settings = read_settings(options.settings_file, options.message);
     if (!flags.script.empty()) {
         return run_script(flags.script, options);
     }
@@ -63,7 +66,10 @@ void add_view(CLI::App &app, CommonOptions &common, Run &run) {
                "Technique of the right view, B [per-pixel/blinn-phong]");
     add_value(command, "--script", "FILE", flags->script,
               "Works the window by the actions in FILE, without a display; they are listed below");
-    add_parsed(command, "--size", "WxH", flags->size, parse_size, "Size of the window at first [1280x720]");
+    add_parsed(command, "--size", "WxH", flags->size, parse_size,
+               "Size of the window at first [as last time, or 1280x720]");
+    add_value(command, "--settings", "FILE", flags->settings,
+              "Keeps size, theme and recent files there [in the configuration folder; a script keeps none]");
     command.add_flag("--no-times", flags->no_times, "Hides run times, so that pictures of the window repeat");
     command.footer("A script has an action on each line, # begins a comment:\n" + script_help());
     run_when_chosen(command, common, run, flags, run_view);

@@ -106,6 +106,15 @@ std::vector<std::uint32_t> Target::read_object_ids() const {
     return read_pixels<std::uint32_t>(GL_COLOR_ATTACHMENT1, GL_RED_INTEGER, GL_UNSIGNED_INT);
 }
 
+Image Target::read_row(int y) const {
+    Image row({size_.width, 1});
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.id());
+    glReadBuffer(GL_COLOR_ATTACHMENT0);
+    glReadPixels(0, size_.height - 1 - y, size_.width, 1, GL_RGBA, GL_FLOAT, row.pixels.data());
+    check_gl("read a row back");
+    return row;
+}
+
 glm::vec4 Target::read_pixel(int x, int y) const {
     glm::vec4 pixel(0);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.id());

@@ -24,6 +24,8 @@ class Target {
     void write_color(const Image &image);
     /// Reads back, top row first.
     [[nodiscard]] Image read_color() const;
+    /// Reads row y, from the top.
+    [[nodiscard]] Image read_row(int y) const;
     /// Reads one pixel's linear colour (x right, y down).
     [[nodiscard]] glm::vec4 read_pixel(int x, int y) const;
     [[nodiscard]] std::vector<std::uint32_t> read_object_ids() const;

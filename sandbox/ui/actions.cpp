@@ -57,6 +57,8 @@ void exchange_sides(Session &s) { std::swap(s.document.left, s.document.right); 
 void reset_scene(Session &s) { s.document.scene = s.document.opened->scene; }
 void switch_wireframe(Session &s) { s.view.wireframe = !s.view.wireframe; }
 void switch_masks(Session &s) { s.view.masks = !s.view.masks; }
+void switch_loupe(Session &s) { s.view.loupe = !s.view.loupe; }
+bool shows_loupe(const Session &s) { return s.view.loupe; }
 bool shows_masks(const Session &s) { return s.view.masks; }
 void switch_display(Session &s) {
     s.document.display = s.document.display == Display::linear ? Display::srgb : Display::linear;
@@ -83,6 +85,11 @@ std::vector<Action> make_actions() {
         {edit, control, GLFW_KEY_Z, "Ctrl+Z", "undo", "", undo, {}, can_undo, true},
         {edit, control | shift, GLFW_KEY_Z, "Ctrl+Shift+Z", "redo", "", redo, {}, can_redo, true},
         {keys, control, GLFW_KEY_Y, "", "redo", "", redo, {}, {}, true},
+        {edit, control, GLFW_KEY_C, "Ctrl+C", "copy the scene as JSON", "",
+         [](Session &s) { s.requests.copy_scene = true; }},
+        {edit, control, GLFW_KEY_V, "Ctrl+V", "paste a scene", "", [](Session &s) { s.requests.paste_scene = true; }},
+        {keys, control, GLFW_KEY_O, "Ctrl+O", "open a file", "", [](Session &s) { s.requests.ask_open = true; }},
+        {keys, control, GLFW_KEY_S, "Ctrl+S", "save the scene", "", [](Session &s) { s.requests.ask_save = true; }},
         {edit, plain, GLFW_KEY_X, "X", "exchange A and B", "", exchange_sides},
         {edit, plain, no_key, "", "scene as opened", "", reset_scene},
         {edit, plain, GLFW_KEY_R, "R", "camera as opened", "", [](Session &s) { reset_camera(s.document); }},
@@ -102,6 +109,8 @@ std::vector<Action> make_actions() {
         {keys, plain, GLFW_KEY_ESCAPE, "", "close the list of keys", "", close_key_list},
         {window, plain, GLFW_KEY_K, "K", "masks", "the pixels that errors against the reference leave out",
          switch_masks, shows_masks},
+        {window, plain, GLFW_KEY_Z, "Z", "loupe", "magnifies the pixels under the mouse in every picture", switch_loupe,
+         shows_loupe},
         {window, control, GLFW_KEY_Q, "Ctrl+Q", "quit", "", [](Session &s) { s.requests.quit = true; }},
     };
     for (std::size_t tab = 0; tab < std::size(bottom_tabs); ++tab) {

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <imgui.h>
 #include <string>
+#include <tuple>
 
 namespace sandbox {
 
@@ -34,6 +35,12 @@ void scene_menu(Session &session) {
         describe_item(session, name, "");
     }
     ImGui::Separator();
+    for (const auto &[name, key, asked] : {std::tuple("Open...", "Ctrl+O", &session.requests.ask_open),
+                                           std::tuple("Save...", "Ctrl+S", &session.requests.ask_save)}) {
+        const ScopedName menu(session, "Scene");
+        *asked = ImGui::MenuItem(name, key) || *asked;
+        describe_item(session, name, "");
+    }
     ImGui::TextColored(quiet_text(), "or drop a .json or .obj file on the window");
     ImGui::EndMenu();
 }

@@ -24,7 +24,7 @@ void wait_for_events(const Window &window, bool polls_shaders) {
 } // namespace
 
 int run_window(const WindowOptions &options) {
-    GlfwWindow host(options.size);
+    GlfwWindow host(options.size.value_or(options.settings.window));
     Window window(options, host);
     window.step();
     host.show();

@@ -52,15 +52,22 @@ Window::Window(const WindowOptions &options, Host &host)
       host_(host), drawn_by_{host.context().renderer(), host.context().version()}, gui_(host),
       painter_(options.assets, options.shaders), session_(first_document(options)),
       bottom_({options.assets, options.shaders, drawn_by_, &host.context()}),
-      finder_({options.assets, options.shaders, drawn_by_, &host.context()}), frames_left_(settling_frames) {
+      finder_({options.assets, options.shaders, drawn_by_, &host.context()}), settings_(options.settings),
+      settings_file_(options.settings_file), frames_left_(settling_frames) {
     take_view(session_.view, options.file);
     session_.appearance.run_times = options.run_times;
+    session_.appearance.dark = settings_.dark;
+    session_.appearance.panels = settings_.panels;
+    session_.appearance.scale = static_cast<float>(settings_.scale);
     session_.scenes = builtin_scenes(assets_);
     session_.textures = assets_.list("textures/");
     for (std::string &texture : session_.textures) {
         texture.erase(0, std::string("textures/").size());
     }
-    attempt(session_, "", [&] { load(options.file.scene, "Drag to orbit, wheel to come closer.  ? lists the keys."); });
+    attempt(session_, "", [&] {
+        load(options.file.scene,
+             options.message.empty() ? "Drag to orbit, wheel to come closer.  ? lists the keys." : options.message);
+    });
 }
 
 void Window::step() {
@@ -113,6 +120,7 @@ void Window::draw() {
     gui_.begin_frame(session_.appearance);
     finder_.update(session_, painter_);
     draw_frame(session_, painter_, bottom_);
+    dialog_.draw(session_, settings_.recent);
     begin_window_surface(host_.framebuffer(), size);
     gui_.end_frame();
     host_.present();
@@ -124,10 +132,27 @@ void Window::answer_requests() {
     if (requests.open) {
         open(*requests.open);
     }
+    if (requests.save) {
+        save(*requests.save);
+    }
+    if (requests.ask_open) {
+        dialog_.show(FileDialog::Purpose::open, "");
+    }
+    if (requests.ask_save) {
+        attempt(session_, "", [&] {
+            const auto path = capture_folder() / (session_.document.opened->name + ".json");
+            dialog_.show(FileDialog::Purpose::save, path.string());
+        });
+    }
+    if (requests.copy_scene || requests.paste_scene) {
+        use_clipboard(requests);
+    }
     if (requests.capture) {
         capture();
     }
-    if (requests.open || requests.capture) {
+    Requests nothing;
+    nothing.quit = requests.quit;
+    if (requests != nothing) {
         frames_left_ = settling_frames;
     }
 }
@@ -135,11 +160,60 @@ void Window::answer_requests() {
 void Window::open(const std::string &name_or_path) {
     attempt(session_, "", [&] {
         const OpenedFile file = open_file(name_or_path, assets_);
-        load(file.scene, "Opened " + file.name + ".");
-        show_document(session_, document_from(file, session_));
-        take_view(session_.view, file);
+        take_opened(file);
+        if (std::filesystem::is_regular_file(name_or_path)) {
+            add_recent(settings_, name_or_path);
+        }
     });
 }
+
+/// Throws InputError, and then nothing changes.
+void Window::take_opened(const OpenedFile &file) {
+    load(file.scene, "Opened " + file.name + ".");
+    show_document(session_, document_from(file, session_));
+    take_view(session_.view, file);
+}
+
+void Window::save(const std::string &path) {
+    attempt(session_, "Not saved: ", [&] {
+        std::filesystem::path file = std::filesystem::absolute(path);
+        if (!file.has_extension()) {
+            file += ".json";
+        }
+        write_file(file, scene_text(session_.document.scene));
+        add_recent(settings_, file);
+        session_.message = {"Saved to " + file.string(), false};
+    });
+}
+
+void Window::use_clipboard(const Requests &requests) {
+    attempt(session_, "", [&] {
+        if (requests.copy_scene) {
+            ImGui::SetClipboardText(scene_text(session_.document.scene).c_str());
+            session_.message = {"The scene is on the clipboard, as JSON.", false};
+        } else if (requests.paste_scene) {
+            const char *text = ImGui::GetClipboardText();
+            take_opened(open_text(text != nullptr ? text : ""));
+        }
+    });
+}
+
+void Window::keep_settings() {
+    if (settings_file_.empty()) {
+        return;
+    }
+    settings_.dark = session_.appearance.dark;
+    settings_.panels = session_.appearance.panels;
+    settings_.scale = static_cast<double>(session_.appearance.scale);
+    const Size size = host_.framebuffer_size();
+    if (!session_.appearance.full_screen && size.width >= 480 && size.height >= 320) {
+        const auto scale = static_cast<double>(host_.content_scale());
+        settings_.window = {static_cast<int>(size.width / scale), static_cast<int>(size.height / scale)};
+    }
+    attempt(session_, "The settings cannot be kept: ", [&] { write_settings(settings_file_, settings_); });
+}
+
+Window::~Window() { keep_settings(); }
 
 /// Shows `message` or, if a mesh is odd, what is odd about it. Throws InputError for textures and models that cannot be
 /// read.

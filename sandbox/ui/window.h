@@ -2,13 +2,17 @@
 
 #include "scene/assets.h"
 #include "shading/technique.h"
+#include "ui/file_dialog.h"
 #include "ui/gui.h"
 #include "ui/host.h"
 #include "ui/session/open_file.h"
+#include "ui/session/settings.h"
 #include "ui/side_finder.h"
 #include "ui/tabs/bottom_panel.h"
 #include "ui/views/view_painter.h"
 
+#include <filesystem>
+#include <optional>
 #include <string>
 
 namespace sandbox {
@@ -20,7 +24,10 @@ struct WindowOptions {
     Technique right{.frequency = Frequency::per_pixel, .model = Model::blinn_phong};
     Assets assets{"assets"};
     Assets shaders{"shaders"};
-    Size size{1280, 720}; ///< at first
+    std::optional<Size> size;            ///< at first; none: as the settings say
+    Settings settings;                   ///< as read
+    std::filesystem::path settings_file; ///< empty: nothing is kept
+    std::string message;                 ///< in the status line, first; empty: how to begin
     bool run_times = true;
 };
 
@@ -35,6 +42,10 @@ class Window {
     [[nodiscard]] bool unsettled() const { return frames_left_ > 0; }
     /// Does work in the background go on, whose result will be shown?
     [[nodiscard]] bool busy() const;
+    /// Keeps what the settings remember.
+    ~Window();
+    Window(const Window &) = delete;
+    Window &operator=(const Window &) = delete;
     [[nodiscard]] bool quit_asked() const { return session_.requests.quit; }
     [[nodiscard]] Session &session() { return session_; }
 
@@ -45,6 +56,10 @@ class Window {
     void open(const std::string &name_or_path);
     void load(const Scene &scene, const std::string &message);
     void capture();
+    void save(const std::string &path);
+    void take_opened(const OpenedFile &file);
+    void use_clipboard(const Requests &requests);
+    void keep_settings();
 
     Assets assets_;
     bool polls_shaders_;
@@ -55,6 +70,9 @@ class Window {
     Session session_;
     BottomPanel bottom_;
     SideFinder finder_;
+    Settings settings_;
+    std::filesystem::path settings_file_;
+    FileDialog dialog_;
     std::string shown_title_;
     int frames_left_;
 };

@@ -136,6 +136,31 @@ expect Difference/largest "no pixel differs"
     EXPECT_EQ(timed.exit_code, 0) << timed.err;
 }
 
+TEST_F(ScriptGl, AClickPinsAPixelWhoseTermsAreNamed) {
+    EXPECT_PLAYED(play(R"(
+key P
+click B/picture 150 100
+hover Status
+expect "Pixel probe/truth/N" "0."
+expect "Pixel probe/A/worst" light
+expect "Pixel probe/B/worst" "every term is right"
+click "Pixel probe/copy"
+expect Status Copied
+key Tab
+key Z
+shot loupe.png
+key Z
+shot plain.png
+key Tab
+key L
+shot line.png
+drag A/picture 0 30
+shot lower.png
+)"));
+    expect_other("loupe.png", "plain.png");
+    expect_other("line.png", "lower.png");
+}
+
 TEST_F(ScriptGl, FindingsNeverOutliveWhatTheyAreOf) { // masks of one size over a picture of another
     EXPECT_PLAYED(play("key K\nshot masks.png\nkey 4\nwait\nkey 1\nkey 2\nkey 5\nsize 700x500\nkey 1\nwait\n"));
 }
@@ -210,6 +235,36 @@ expect A/name "per-vertex / phong"
 drop bad.json
 expect Status lights
 )"));
+}
+
+TEST_F(ScriptGl, AScenesEditsAreSavedOpenedAndPasted) {
+    EXPECT_PLAYED(play(R"(
+drag Lights/1/diffuse 0
+key Ctrl+S
+type File/path mine
+expect Status mine.json
+key Ctrl+C
+expect Status clipboard
+key Ctrl+Z
+expect Lights/1/diffuse 0.8
+key Ctrl+V
+expect Lights/1/diffuse 0.000
+key Ctrl+Z
+key Ctrl+O
+type File/path mine.json
+expect Status "Opened mine"
+expect Lights/1/diffuse 0.000
+key Ctrl+O
+expect File/path ""
+key Escape
+key Ctrl+O
+type File/path nothing.json
+expect Status nothing.json
+)",
+                       {"--settings", "settings.json"}));
+    EXPECT_NE(folder.read("settings.json").find("mine.json"), std::string::npos) << "a recent file";
+    folder.write("bad.json", "{");
+    EXPECT_PLAYED(play("expect Status \"set aside\"\n", {"--settings", "bad.json"}));
 }
 
 TEST_F(ScriptGl, TheWindowResizes) {

@@ -46,6 +46,16 @@ OpenedFile open_file(const std::string &name_or_path, const Assets &assets) {
     return file;
 }
 
+OpenedFile open_text(const std::string &text) {
+    OpenedFile file;
+    file.name = "pasted";
+    file.scene = parse_scene(text, "the clipboard", std::filesystem::current_path());
+    if (const auto options = sidecar_options(text, "the clipboard")) {
+        take_sidecar(file, *options);
+    }
+    return file;
+}
+
 Document document_from(const OpenedFile &file, const Session &session) {
     const Document &now = session.document;
     Document document =

@@ -25,6 +25,9 @@ struct OpenedFile {
 /// Throws InputError.
 OpenedFile open_file(const std::string &name_or_path, const Assets &assets);
 
+/// A scene or a sidecar as text, from the clipboard. Throws InputError.
+OpenedFile open_text(const std::string &text);
+
 /// The document to show; what the file does not set stays as it is in `session`.
 Document document_from(const OpenedFile &file, const Session &session);
 /// Likewise for how the two pictures are shown.

@@ -3,15 +3,20 @@
 #include "capture/layout.h"
 #include "ui/session/document.h"
 #include "ui/session/history.h"
+#include "ui/session/pixel_findings.h"
 #include "ui/session/widget_map.h"
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace sandbox {
+
+/// What the open tab draws over the pictures.
+enum class Overlay { none, pixel, profile };
 
 /// How the two pictures are shown. Not part of the document: undo leaves it alone.
 struct ViewSettings {
@@ -22,6 +27,13 @@ struct ViewSettings {
     DifferenceOf difference_of = DifferenceOf::a_b;
     bool wireframe = false;
     bool masks = false; ///< shows which pixels error figures leave out
+    bool loupe = false; ///< magnifies the probed pixel and its neighbours in every picture
+    /// Shares of a picture's width and height, from its upper left corner: the pixel under the mouse, and the one that
+    /// a click has pinned.
+    std::optional<glm::dvec2> hovered_pixel, pinned_pixel;
+    Overlay overlay = Overlay::none;
+    double profile_row = 0.5; ///< the line of the profile, as a share of the height
+    [[nodiscard]] std::optional<glm::dvec2> probed() const { return pinned_pixel ? pinned_pixel : hovered_pixel; }
 };
 
 struct Appearance {
@@ -51,7 +63,11 @@ struct StatusLine {
 struct Requests {
     bool quit = false;
     bool capture = false;
-    std::optional<std::string> open; ///< a built-in name or a path
+    std::optional<std::string> open;              ///< a built-in name or a path
+    std::optional<std::string> save;              ///< a path for the scene
+    bool ask_open = false, ask_save = false;      ///< for a path
+    bool copy_scene = false, paste_scene = false; ///< as JSON, by the clipboard
+    bool operator==(const Requests &) const = default;
 };
 
 /// All that the window shows. Panels edit it; the pictures are derived from it.
@@ -63,13 +79,14 @@ struct Session {
     Requests requests;
     Message message;
     StatusLine status;
-    std::string hint;                   ///< about what the mouse is over; empty: nothing
-    std::size_t object = 0;             ///< whose material and mesh the panels show
-    std::vector<std::size_t> triangles; ///< of each object, as last drawn
-    bool same_picture = false;          ///< A and B draw the same picture of the scene, as last drawn
-    std::vector<std::string> scenes;    ///< built-in ones, in the order they are taught
-    std::vector<std::string> textures;  ///< built-in ones
-    WidgetMap widgets;                  ///< for scripts
+    std::string hint;                           ///< about what the mouse is over; empty: nothing
+    std::size_t object = 0;                     ///< whose material and mesh the panels show
+    std::shared_ptr<const PixelFindings> pixel; ///< of the probed pixel, while something shows it
+    std::vector<std::size_t> triangles;         ///< of each object, as last drawn
+    bool same_picture = false;                  ///< A and B draw the same picture of the scene, as last drawn
+    std::vector<std::string> scenes;            ///< built-in ones, in the order they are taught
+    std::vector<std::string> textures;          ///< built-in ones
+    WidgetMap widgets;                          ///< for scripts
 
     explicit Session(Document first) : document(first), history(std::move(first)) {}
 

@@ -65,6 +65,7 @@ float BottomPanel::height(const Session &session, float room) {
 
 void BottomPanel::draw(Session &session, ViewPainter &painter, float room) {
     const ImGuiStyle &style = ImGui::GetStyle();
+    session.view.overlay = session.appearance.tab ? bottom_tabs[*session.appearance.tab].overlay : Overlay::none;
     if (session.appearance.tab) {
         ImGui::SetCursorPos({0, 0});
         draggable_edge(session, room);

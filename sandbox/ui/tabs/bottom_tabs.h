@@ -29,14 +29,19 @@ struct BottomTab {
     char key;         ///< opens and folds it
     const char *hint; ///< what it shows
     std::unique_ptr<TabContent> (*make)(const DrawingSupplies &);
+    Overlay overlay = Overlay::none; ///< drawn over the pictures while it is open
 };
 
+std::unique_ptr<TabContent> pixel_probe_tab(const DrawingSupplies &supplies);
+std::unique_ptr<TabContent> profile_tab(const DrawingSupplies &supplies);
 std::unique_ptr<TabContent> error_time_tab(const DrawingSupplies &supplies);
 std::unique_ptr<TabContent> glsl_tab(const DrawingSupplies &supplies);
 std::unique_ptr<TabContent> stability_tab(const DrawingSupplies &supplies);
 
 /// From left to right. The panel, the menu, the keyboard and the list of keys read these rows.
 constexpr BottomTab bottom_tabs[] = {
+    {"Pixel probe", 'P', "All vectors and terms of one pixel, in A, B and the truth", pixel_probe_tab, Overlay::pixel},
+    {"Profile", 'L', "A, B and the truth along a line through the pictures", profile_tab, Overlay::profile},
     {"Error vs run time", 'E', "How far every technique is from the truth, and how long it takes", error_time_tab},
     {"GLSL", 'G', "The programs of A and B beside each other", glsl_tab},
     {"Stability", 'S', "Stiff and extreme scenes, in which a textbook's formulas break", stability_tab},

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace sandbox {
 
@@ -16,12 +17,18 @@ bool near_divider(const Session &session, const Rect &rect) {
            std::abs(ImGui::GetIO().MousePos.x - divider_x(session, rect)) < ImGui::GetFontSize() * 0.6F;
 }
 
+bool near_profile(const Session &session, const Rect &rect) {
+    const float y = rect.low.y + static_cast<float>(session.view.profile_row) * rect.height();
+    return session.view.overlay == Overlay::profile &&
+           std::abs(ImGui::GetIO().MousePos.y - y) < ImGui::GetFontSize() * 0.6F;
+}
+
 /// What a drag does depends on where it began.
-enum class Drag { none, orbit, pan, divider };
+enum class Drag { none, orbit, pan, divider, profile };
 
 Drag begun_drag(const Session &session, const Rect &rect) {
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
-        return near_divider(session, rect) ? Drag::divider : Drag::orbit;
+        return near_divider(session, rect) ? Drag::divider : near_profile(session, rect) ? Drag::profile : Drag::orbit;
     }
     return Drag::pan;
 }
@@ -50,6 +57,23 @@ void drag_divider(Session &session, const Rect &rect) {
     session.view.divider = std::clamp(share, 0.0F, 1.0F);
 }
 
+/// The mouse's place as shares of the picture.
+glm::dvec2 mouse_share(const Rect &rect) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    return {std::clamp(static_cast<double>((mouse.x - rect.low.x) / rect.width()), 0.0, 1.0),
+            std::clamp(static_cast<double>((mouse.y - rect.low.y) / rect.height()), 0.0, 1.0)};
+}
+
+/// A click pins the pixel; one on the pinned pixel lets it go.
+void click_pixel(Session &session, const Rect &rect) {
+    const glm::dvec2 at = mouse_share(rect);
+    std::optional<glm::dvec2> &pinned = session.view.pinned_pixel;
+    const double reach = static_cast<double>(ImGui::GetFontSize());
+    const bool again = pinned && std::hypot((pinned->x - at.x) * static_cast<double>(rect.width()),
+                                            (pinned->y - at.y) * static_cast<double>(rect.height())) < reach;
+    pinned = again ? std::nullopt : std::optional(at);
+}
+
 } // namespace
 
 float divider_x(const Session &session, const Rect &picture) {
@@ -71,6 +95,8 @@ void mouse_over_picture(Session &session, const Rect &picture, const std::string
     const Drag drag = ImGui::IsItemActive() ? static_cast<Drag>(state.GetInt(drag_id)) : Drag::none;
     if (drag == Drag::divider) {
         drag_divider(session, picture);
+    } else if (drag == Drag::profile) {
+        session.view.profile_row = mouse_share(picture).y;
     } else if (drag != Drag::none) {
         drag_camera(session.document.scene.camera, picture, drag);
     }
@@ -79,7 +105,17 @@ void mouse_over_picture(Session &session, const Rect &picture, const std::string
     if (drag == Drag::divider || (hovered && on_divider)) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     }
+    if (drag == Drag::profile || (hovered && near_profile(session, picture))) {
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
+    }
+    const bool probes = session.view.overlay == Overlay::pixel || session.view.loupe;
+    constexpr float click_reach = 9; // pixels, squared
+    if (probes && ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
+        ImGui::GetIO().MouseDragMaxDistanceSqr[0] < click_reach && !on_divider) {
+        click_pixel(session, picture);
+    }
     if (hovered) {
+        session.view.hovered_pixel = mouse_share(picture);
         use_wheel(session.document.scene.camera);
         if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && !on_divider) {
             reset_camera(session.document);

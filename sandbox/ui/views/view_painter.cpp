@@ -124,6 +124,11 @@ void ViewPainter::paint_masks(bool right, bool wanted, const DisplayKey &display
     }
 }
 
+Image ViewPainter::row(bool right, int y) const {
+    const Side &side = sides_[right ? 1 : 0];
+    return side.shown.texture != 0 ? side.target->read_row(y) : Image();
+}
+
 unsigned ViewPainter::mask_texture(bool right) const {
     const auto &masks = masks_[right ? 1 : 0];
     return masks ? masks->texture.texture() : 0;

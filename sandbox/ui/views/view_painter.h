@@ -42,6 +42,8 @@ class ViewPainter {
     [[nodiscard]] unsigned mask_texture(bool right) const;
     /// The reference of a side's model; 0: not known, or not asked for.
     [[nodiscard]] unsigned truth_texture(bool right) const;
+    /// One row of a side's picture, from the top, in linear colour; empty: there is none.
+    [[nodiscard]] Image row(bool right, int y) const;
     /// 0 until both pictures are there.
     [[nodiscard]] unsigned difference_texture() const { return difference_ ? difference_->texture() : 0; }
     /// The largest difference of any channel, from the last measure_difference(); infinite if a pixel is not finite.

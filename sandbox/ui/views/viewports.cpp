@@ -3,6 +3,7 @@
 #include "ui/views/difference_scale.h"
 #include "ui/views/view_captions.h"
 #include "ui/views/view_mouse.h"
+#include "ui/views/view_overlays.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -162,22 +163,8 @@ void show_difference(Session &session, const ViewPainter &painter, const Rect &r
     }
 }
 
-} // namespace
-
-void viewports(Session &session, ViewPainter &painter) {
-    const Arrangement arrangement = arrange(session);
-    draw_header(session, painter, ImGui::GetCursorScreenPos(), arrangement.pictures.width());
-    constexpr const char *names[] = {"A", "B", "Truth"};
-    for (int i = 0; i < arrangement.columns; ++i) {
-        mouse_over_picture(session, arrangement.column(i), arrangement.columns == 1 ? "View" : names[i]);
-    }
+void show_layout(Session &session, const ViewPainter &painter, const Arrangement &arrangement) {
     const Rect rect = arrangement.column(0);
-    painter.paint(session, pixels_of(rect));
-    session.triangles = painter.triangles(session.document.scene);
-    session.same_picture = painter.same_picture(session.document);
-    if (!ImGui::IsAnyItemActive()) {
-        painter.measure_difference();
-    }
     switch (session.view.layout) {
     case Layout::side_by_side:
         return show_side_by_side(session, painter, arrangement);
@@ -189,6 +176,48 @@ void viewports(Session &session, ViewPainter &painter) {
         return show_flip(session, painter, rect);
     case Layout::difference:
         return show_difference(session, painter, rect);
+    }
+}
+
+/// What a column shows, for the loupe. Of a wipe the side under the pixel.
+unsigned texture_of(const Session &session, const ViewPainter &painter, int column) {
+    switch (session.view.layout) {
+    case Layout::difference:
+        return painter.difference_texture();
+    case Layout::single:
+        return painter.view(session.view.show_right).texture;
+    case Layout::wipe:
+        return painter.view(session.view.probed().value_or(glm::dvec2(0)).x > static_cast<double>(session.view.divider))
+            .texture;
+    case Layout::side_by_side:
+    case Layout::three_up:
+        break;
+    }
+    return column == 2 ? painter.truth_texture(false) : painter.view(column == 1).texture;
+}
+
+} // namespace
+
+void viewports(Session &session, ViewPainter &painter) {
+    const Arrangement arrangement = arrange(session);
+    draw_header(session, painter, ImGui::GetCursorScreenPos(), arrangement.pictures.width());
+    constexpr const char *names[] = {"A", "B", "Truth"};
+    session.view.hovered_pixel.reset();
+    for (int i = 0; i < arrangement.columns; ++i) {
+        mouse_over_picture(session, arrangement.column(i), arrangement.columns == 1 ? "View" : names[i]);
+    }
+    const Rect rect = arrangement.column(0);
+    painter.paint(session, pixels_of(rect));
+    session.triangles = painter.triangles(session.document.scene);
+    session.same_picture = painter.same_picture(session.document);
+    if (!ImGui::IsAnyItemActive()) {
+        painter.measure_difference();
+    }
+    show_layout(session, painter, arrangement);
+    for (int i = 0; i < arrangement.columns; ++i) {
+        draw_profile_line(session, arrangement.column(i));
+        draw_probe(session, arrangement.column(i));
+        draw_loupe(session, arrangement.column(i), texture_of(session, painter, i));
     }
 }
 

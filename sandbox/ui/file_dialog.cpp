@@ -1,0 +1,140 @@
+#include "ui/file_dialog.h"
+
+#include "ui/jobs/background_job.h"
+#include "ui/jobs/drawing_job.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+#include <sstream>
+#include <unistd.h>
+#include <utility>
+
+namespace sandbox {
+
+namespace {
+
+bool is_installed(const std::string &program) {
+    const char *path = std::getenv("PATH");
+    std::istringstream folders(path != nullptr ? path : "");
+    for (std::string folder; std::getline(folders, folder, ':');) {
+        if (access((std::filesystem::path(folder) / program).c_str(), X_OK) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// What a program prints, without the line's end; empty if it fails.
+std::string output_of(const std::string &command) {
+    std::FILE *pipe = popen(command.c_str(), "r");
+    if (pipe == nullptr) {
+        return {};
+    }
+    std::string text;
+    std::array<char, 4096> buffer{};
+    while (std::fgets(buffer.data(), static_cast<int>(buffer.size()), pipe) != nullptr) {
+        text += buffer.data();
+    }
+    const bool well = pclose(pipe) == 0;
+    text.erase(text.find_last_not_of('\n') + 1);
+    return well ? text : "";
+}
+
+} // namespace
+
+FileDialog::FileDialog() {
+    if (std::getenv("DISPLAY") == nullptr && std::getenv("WAYLAND_DISPLAY") == nullptr) {
+        return;
+    }
+    command_ = is_installed("zenity") ? "zenity --file-selection" : is_installed("kdialog") ? "kdialog" : "";
+}
+
+FileDialog::~FileDialog() = default;
+
+void FileDialog::show(Purpose purpose, std::string path) {
+    purpose_ = purpose;
+    path_ = std::move(path);
+    asked_ = true;
+}
+
+void FileDialog::settle(Session &session, const std::string &path) {
+    (purpose_ == Purpose::save ? session.requests.save : session.requests.open) = path;
+    ImGui::CloseCurrentPopup();
+}
+
+void FileDialog::browse() {
+    const bool save = purpose_ == Purpose::save;
+    const std::string command = command_ == "kdialog"
+                                    ? std::string("kdialog ") + (save ? "--getsavefilename ." : "--getopenfilename .")
+                                    : command_ + (save ? " --save" : "");
+    browsed_ = std::make_shared<std::string>();
+    job_ = std::make_unique<BackgroundJob>(
+        [command, browsed = browsed_](JobReporter &) { *browsed = output_of(command + " 2>/dev/null"); }, wake_window);
+}
+
+void FileDialog::take_browsed(Session &session) {
+    if (job_ && job_->state() != JobState::running) {
+        job_.reset();
+        if (!browsed_->empty()) {
+            settle(session, *browsed_);
+        }
+    }
+}
+
+void FileDialog::draw_fields(Session &session, const std::vector<std::string> &recent) {
+    const ScopedName scope(session, "File");
+    if (std::exchange(asked_, false)) {
+        ImGui::SetKeyboardFocusHere();
+    }
+    ImGui::SetNextItemWidth(-1);
+    const bool entered =
+        ImGui::InputText("##path", &path_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
+    describe_item(session, "path", "A path, or the name of a built-in scene.", path_);
+    if (purpose_ == Purpose::open) {
+        for (const std::string &file : recent) {
+            if (ImGui::Selectable(file.c_str())) {
+                settle(session, file);
+            }
+            describe_item(session, file, "");
+        }
+    }
+    const bool done = button(session, purpose_ == Purpose::save ? "Save" : "Open", "");
+    ImGui::SameLine();
+    const bool cancelled = button(session, "Cancel", "") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    if (!command_.empty()) {
+        ImGui::SameLine();
+        ImGui::BeginDisabled(job_ != nullptr);
+        if (button(session, "Browse...", "The desktop's own dialog.")) {
+            browse();
+        }
+        ImGui::EndDisabled();
+        take_browsed(session);
+    }
+    if ((entered || done) && !path_.empty()) {
+        settle(session, path_);
+    } else if (cancelled) {
+        ImGui::CloseCurrentPopup();
+    }
+}
+
+void FileDialog::draw(Session &session, const std::vector<std::string> &recent) {
+    const char *title =
+        purpose_ == Purpose::save ? "Save the scene as###file" : "Open a scene, a model or a capture###file";
+    if (asked_) {
+        ImGui::OpenPopup("###file");
+    }
+    ImGui::SetNextWindowSize({std::min(ImGui::GetFontSize() * 40, ImGui::GetMainViewport()->WorkSize.x * 0.9F), 0});
+    if (!ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove)) {
+        return;
+    }
+    draw_fields(session, recent);
+    ImGui::EndPopup();
+}
+
+} // namespace sandbox

@@ -1,0 +1,75 @@
+#include "ui/session/settings.h"
+
+#include "image/error.h"
+#include "image/file_io.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+namespace sandbox {
+
+namespace fs = std::filesystem;
+
+fs::path settings_file() {
+    const auto folder = [](const char *name) {
+        const char *value = std::getenv(name);
+        return fs::path(value != nullptr ? value : "");
+    };
+    fs::path config = folder("XDG_CONFIG_HOME");
+    if (!config.is_absolute()) { // the specification says: then ignore it
+        const fs::path home = folder("HOME");
+        config = home.is_absolute() ? home / ".config" : fs::path();
+    }
+    return config.empty() ? config : config / "shading-sandbox" / "settings.json";
+}
+
+Settings read_settings(const fs::path &file, std::string &message) {
+    Settings settings;
+    std::error_code error;
+    if (file.empty() || !fs::exists(file, error)) {
+        return settings;
+    }
+    try {
+        const nlohmann::json from = nlohmann::json::parse(read_file(file));
+        settings.dark = from.value("dark", settings.dark);
+        settings.panels = from.value("panels", settings.panels);
+        settings.scale = std::clamp(from.value("scale", settings.scale), 0.6, 3.0);
+        settings.recent = from.value("recent", settings.recent);
+        const auto size = from.value("window", std::array<int, 2>{settings.window.width, settings.window.height});
+        settings.window = {std::clamp(size[0], 480, 16384), std::clamp(size[1], 320, 16384)};
+    } catch (const std::exception &) { // no JSON, or other values
+        const fs::path aside = file.string() + ".damaged";
+        fs::rename(file, aside, error);
+        message = fmt::format("The settings were damaged; they were {} {}.", error ? "left in" : "set aside as",
+                              (error ? file : aside).string());
+        return {};
+    }
+    settings.recent.resize(std::min(settings.recent.size(), most_recent));
+    return settings;
+}
+
+void write_settings(const fs::path &file, const Settings &settings) {
+    std::error_code error;
+    fs::create_directories(fs::absolute(file).parent_path(), error);
+    if (error) {
+        throw InputError("cannot make the folder {}: {}", file.parent_path().string(), error.message());
+    }
+    const nlohmann::ordered_json to{{"dark", settings.dark},
+                                    {"panels", settings.panels},
+                                    {"scale", settings.scale},
+                                    {"window", {settings.window.width, settings.window.height}},
+                                    {"recent", settings.recent}};
+    write_file(file, to.dump(2) + "\n");
+}
+
+void add_recent(Settings &settings, const fs::path &path) {
+    const std::string name = fs::absolute(path).string();
+    std::erase(settings.recent, name);
+    settings.recent.insert(settings.recent.begin(), name);
+    settings.recent.resize(std::min(settings.recent.size(), most_recent));
+}
+
+} // namespace sandbox
