@@ -123,16 +123,18 @@ std::string cheapest_rows(const ReportRun &run) {
                 }
                 any = true;
                 const MeasuredRow &found = m.rows[*row];
+                const std::size_t ties = ties_of(m, *row, norm, bound).size();
                 table.text(
-                    fmt::format(R"({}<br><span class="q">{}, {} ms</span>)", technique_code(found.plan.technique),
-                                escaped(mesh_words(m.meshes[found.plan.mesh])), milliseconds_text(found.time->median)));
+                    fmt::format(R"({}<br><span class="q">{}, {} ms{}</span>)", technique_code(found.plan.technique),
+                                escaped(mesh_words(m.meshes[found.plan.mesh])), milliseconds_text(found.time->median),
+                                ties == 0 ? "" : fmt::format("; a tie with {} other{}", ties, ties == 1 ? "" : "s")));
             }
         }
     }
     return section(
         "cheapest", "The cheapest technique that is close enough",
         "The row of least median time among those whose error stays within the bound: one level of an 8-bit display, "
-        "one of a 10-bit display, and 1e-5.",
+        "one of a 10-bit display, and 1e-5. A tie: the quartiles of their run times overlap.",
         any ? table.html() : std::string());
 }
 

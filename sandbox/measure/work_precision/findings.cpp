@@ -147,6 +147,19 @@ std::vector<std::size_t> pareto_front(const WorkPrecision &measured, Model model
     return pareto_front(points);
 }
 
+std::vector<std::size_t> ties_of(const WorkPrecision &measured, std::size_t row, ErrorNorm norm, double bound) {
+    const Model model = measured.rows[row].plan.technique.model;
+    std::vector<std::size_t> ties;
+    for (std::size_t i = 0; i < measured.rows.size(); ++i) {
+        if (i != row && time_and_error(measured.rows[i], model, norm).error <= bound &&
+            measured.rows[i].time->lower_quartile <= measured.rows[row].time->upper_quartile) {
+            ties.push_back(i);
+        }
+    }
+    std::ranges::sort(ties, {}, [&](std::size_t i) { return measured.rows[i].time->median; });
+    return ties;
+}
+
 std::optional<std::size_t> cheapest(const WorkPrecision &measured, Model model, ErrorNorm norm, double bound) {
     std::optional<std::size_t> best;
     for (std::size_t i = 0; i < measured.rows.size(); ++i) {

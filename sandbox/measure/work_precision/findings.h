@@ -75,6 +75,9 @@ std::vector<std::size_t> pareto_front(const WorkPrecision &measured, Model model
 constexpr double error_bounds[]{1.0 / 255, 1.0 / 1024, 1e-5};
 /// The base row of least median time whose error is at most `bound`, over enough of its picture.
 std::optional<std::size_t> cheapest(const WorkPrecision &measured, Model model, ErrorNorm norm, double bound);
+/// The other base rows within the bound that noise alone may put behind `row`: a quarter of their frames took no longer
+/// than the slowest quarter of its frames began with. By their median.
+std::vector<std::size_t> ties_of(const WorkPrecision &measured, std::size_t row, ErrorNorm norm, double bound);
 
 /// How much longer `row` takes than `base`: quartiles of the quotients of each round's two times, so that drift
 /// cancels.

@@ -234,6 +234,13 @@ void cheapest_table(Session &session, const WorkPrecision &measured, const Error
             ImGui::Text("%s ms", milliseconds_text(measured.rows[*row].time->median).c_str());
             ImGui::TableNextColumn();
             technique_cell(session, measured, *row);
+            if (const auto ties = ties_of(measured, *row, view.norm, bound); !ties.empty()) {
+                ImGui::TextColored(quiet_text(), "a tie with");
+                technique_cell(session, measured, ties.front());
+                if (ties.size() > 1) {
+                    ImGui::TextColored(quiet_text(), "and %zu more", ties.size() - 1);
+                }
+            }
         } else {
             ImGui::TableNextColumn();
             ImGui::TextColored(quiet_text(), "none of these");

@@ -71,6 +71,20 @@ TEST(Findings, TheCheapestWithinABound) {
     EXPECT_FALSE(cheapest(measured, Model::phong, ErrorNorm::rmse, 1.0 / 255)) << "nobody chooses a fault";
 }
 
+TEST(Findings, RunTimesWhoseQuartilesOverlapAreATie) {
+    WorkPrecision measured = ladder({0.003, 0.002, 0.001, 0.1});
+    const auto time = [&](std::size_t row, double lower, double median, double upper) {
+        measured.rows[row].time = RunTime{{median}, lower, lower, median, upper};
+    };
+    time(0, 1.9, 2, 2.2);
+    time(1, 2.1, 2.3, 2.5); // within the noise of row 0
+    time(2, 2.3, 2.4, 2.5); // slower
+    time(3, 1, 2, 3);       // not within the bound
+    ASSERT_EQ(cheapest(measured, Model::phong, ErrorNorm::rmse, 1.0 / 255), 0U);
+    EXPECT_EQ(ties_of(measured, 0, ErrorNorm::rmse, 1.0 / 255), (std::vector<std::size_t>{1}));
+    EXPECT_EQ(ties_of(measured, 2, ErrorNorm::rmse, 1.0 / 255), (std::vector<std::size_t>{0, 1}));
+}
+
 TEST(Findings, RatiosAreOfTheSameRound) {
     WorkPrecision measured = ladder({0.1});
     MeasuredRow full = measured.rows[0];
