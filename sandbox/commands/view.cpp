@@ -61,7 +61,7 @@ void add_view(CLI::App &app, CommonOptions &common, Run &run) {
     add_value(command, "SCENE", "", flags->scene, "Built-in name, or path of a .json, sidecar or .obj file")
         ->capture_default_str();
     add_parsed(command, "--left", "T", flags->left, parse_technique,
-               "Technique of the left view, A [per-vertex/phong]");
+               "Technique of the left view, A [per-vertex/blinn-phong]");
     add_parsed(command, "--right", "T", flags->right, parse_technique,
                "Technique of the right view, B [per-pixel/blinn-phong]");
     add_value(command, "--script", "FILE", flags->script,

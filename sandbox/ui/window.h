@@ -20,7 +20,7 @@ namespace sandbox {
 struct WindowOptions {
     OpenedFile file; ///< shown first
     /// If the file names no techniques:
-    Technique left{.frequency = Frequency::per_vertex, .model = Model::phong};
+    Technique left{.frequency = Frequency::per_vertex, .model = Model::blinn_phong}; ///< one cause of difference
     Technique right{.frequency = Frequency::per_pixel, .model = Model::blinn_phong};
     Assets assets{"assets"};
     Assets shaders{"shaders"};

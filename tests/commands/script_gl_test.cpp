@@ -45,9 +45,9 @@ key Ctrl+Shift+Z
 expect A/name flat
 key Ctrl+Z
 key M
-expect A/name blinn
+expect A/name lambert
 key Ctrl+Z
-expect A/name "per-vertex / phong"
+expect A/name "per-vertex / blinn-phong"
 drag Lights/1/diffuse 0
 expect Lights/1/diffuse 0.000
 key Ctrl+Z
@@ -113,7 +113,7 @@ shot 1b.png
 
 TEST_F(ScriptGl, TheTruthStandsUnderEachView) {
     EXPECT_PLAYED(play(R"(
-expect View/differ "A and B differ in: frequency, model"
+expect View/differ "A and B differ in: frequency"
 expect View/description "highlights"
 expect A/error "max 0."
 expect B/error "max "
@@ -231,7 +231,7 @@ click Stability
 click Stability/spot-cutoff-0
 expect A/name textbook
 key Ctrl+Z
-expect A/name "per-vertex / phong"
+expect A/name "per-vertex / blinn-phong"
 drop bad.json
 expect Status lights
 )"));
