@@ -1,71 +1,163 @@
 #include "capture/labels.h"
 
+#include "image/difference.h"
 #include "image/text.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <span>
-#include <string>
+#include <cstdint>
+#include <fmt/format.h>
 
 namespace sandbox {
 namespace {
 
-constexpr double darkening = 0.35;   // of the display value, so that white text reads over anything
-constexpr double smallest_text = 9;  // pixels a line; below that strokes run together
-constexpr double line_spacing = 1.5; // line boxes
+using Rgb = std::array<std::uint8_t, 3>;
 
-void darken(ByteImage &picture, int rows) {
-    const std::size_t end = 3 * static_cast<std::size_t>(picture.size.width) *
-                            static_cast<std::size_t>(std::min(rows, picture.size.height));
-    for (std::uint8_t &value : std::span(picture.rgb).first(end)) {
-        value = static_cast<std::uint8_t>(std::lround(value * darkening));
+constexpr Rgb paper{24, 26, 30};
+constexpr double smallest_text = 6;  // pixels a line; below that strokes run together
+constexpr double line_spacing = 1.5; // line boxes
+constexpr std::size_t most_lines = 3;
+constexpr double scale_width = 52; // in text heights: what stands in a scale, and the gaps
+
+double margin_of(double height) { return height * 0.6; }
+
+void fill(ByteImage &picture, int left, int top, int right, int bottom, Rgb color) {
+    for (int y = std::max(0, top); y < std::min(bottom, picture.size.height); ++y) {
+        for (int x = std::max(0, left); x < std::min(right, picture.size.width); ++x) {
+            const std::size_t at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.size.width) +
+                                        static_cast<std::size_t>(x));
+            std::ranges::copy(color, picture.rgb.begin() + static_cast<std::ptrdiff_t>(at));
+        }
     }
 }
 
-/// `text` in a strip's line that begins at row `top`, within `width` columns from `left`: smaller or cut if it must be.
-void draw_line(ByteImage &picture, std::string text, int left, int width, double top, double height) {
-    const double margin = height / 2;
-    const double room = width - 2 * margin;
-    const double fitted = std::max(smallest_text, std::min(height, height * room / text_width(text, height)));
-    if (text_width(text, fitted) > room) {
-        while (!text.empty() && text_width(text + "...", fitted) > room) {
-            text.pop_back();
+/// `text` in lines of at most `room` pixels, broken at spaces; a word that is longer has its own line.
+std::vector<std::string> wrapped(const std::string &text, double height, double room) {
+    std::vector<std::string> lines{""};
+    std::size_t begin = 0;
+    while (begin < text.size()) {
+        const std::size_t after = text.find_first_not_of(' ', std::min(text.find(' ', begin), text.size()));
+        const std::string word = text.substr(begin, std::min(after, text.size()) - begin); // with the spaces behind it
+        const std::string bare = word.substr(0, word.find_last_not_of(' ') + 1);
+        if (!lines.back().empty() && text_width(lines.back() + bare, height) > room) {
+            lines.emplace_back();
         }
-        text += text.empty() ? "" : "...";
+        lines.back() += word;
+        begin += word.size();
     }
-    draw_text(picture, left + margin, top + (height * line_spacing - fitted) / 2, fitted, text);
+    for (std::string &line : lines) {
+        line.erase(line.find_last_not_of(' ') + 1);
+    }
+    return lines;
+}
+
+/// Where the labels begin and the last one ends.
+std::vector<int> columns_for(const LabelTexts &texts, int width, double height) {
+    std::vector<int> columns{0};
+    columns.insert(columns.end(), texts.splits.begin(), texts.splits.end());
+    columns.push_back(width);
+    if (texts.splits_move && texts.labels.size() == 2) {
+        const auto needs = [&](const std::string &text) {
+            return static_cast<int>(std::ceil(text_width(text, height) + 2 * margin_of(height)));
+        };
+        const int left = needs(texts.labels[0]), right = width - needs(texts.labels[1]);
+        columns[1] = left <= right ? std::clamp(columns[1], left, right) : width / 2;
+    }
+    return columns;
+}
+
+/// Places the labels at this height; false if one is not whole or in too many lines.
+bool place_labels(Strips &strips, const LabelTexts &texts, int width) {
+    const std::vector<int> columns = columns_for(texts, width, strips.text);
+    strips.lefts.assign(columns.begin(), columns.end() - 1);
+    strips.lines.clear();
+    std::size_t most = 0;
+    bool whole = true;
+    for (std::size_t i = 0; i < texts.labels.size(); ++i) {
+        const double room = columns[i + 1] - columns[i] - 2 * margin_of(strips.text);
+        strips.lines.push_back(wrapped(texts.labels[i], strips.text, room));
+        most = std::max(most, strips.lines.back().size());
+        for (const std::string &line : strips.lines.back()) {
+            whole = whole && text_width(line, strips.text) <= room;
+        }
+    }
+    strips.above = static_cast<int>(std::ceil(static_cast<double>(most) * line_spacing * strips.text));
+    return whole && most <= most_lines;
+}
+
+/// The bar's colours and, below it, its numbers.
+void draw_bar(ByteImage &picture, double text, double left, double top, double width, double gain) {
+    const int from = static_cast<int>(left), to = static_cast<int>(left + width);
+    for (int x = from; x < to; ++x) {
+        const double value = 2 * (x + 0.5 - from) / (to - from) - 1;
+        const glm::vec3 color = difference_color(static_cast<float>(value)) * 255.0F;
+        fill(picture, x, static_cast<int>(top + 0.3 * text), x + 1, static_cast<int>(top + line_spacing * text),
+             {static_cast<std::uint8_t>(std::lround(color.r)), static_cast<std::uint8_t>(std::lround(color.g)),
+              static_cast<std::uint8_t>(std::lround(color.b))});
+    }
+    for (int i = -2; i <= 2; ++i) {
+        const std::string number = i == 0 ? "0" : fmt::format("{:+.3g}", i / 2.0 / gain);
+        const double middle = left + width * (i + 2) / 4.0;
+        draw_text(picture, middle - text_width(number, text) / 2, top + 1.7 * text, text, number);
+    }
 }
 
 } // namespace
 
-void draw_labels(ByteImage &picture, Layout layout, std::span<const int> splits, std::span<const std::string> texts) {
-    const double height = std::max(smallest_text, picture.size.height / 26.0);
-    const double strip = height * line_spacing;
-    const int width = picture.size.width;
-    if (layout == Layout::difference) {
-        const int caption_width = std::min(width / 3, static_cast<int>(text_width(texts[2], height) + height + 1));
-        darken(picture, static_cast<int>(2 * strip));
-        draw_line(picture, texts[0], 0, width - caption_width, 0, height);
-        draw_line(picture, texts[1], 0, width - caption_width, strip, height);
-        draw_line(picture, texts[2], width - caption_width, caption_width, 0, height);
-        return;
+Strips strips_for(int width, const LabelTexts &texts) {
+    Strips strips;
+    if (texts.labels.empty() && !texts.scale) {
+        return strips;
     }
-    darken(picture, static_cast<int>(strip));
-    for (std::size_t i = 0; i < texts.size(); ++i) {
-        const int left = i == 0 ? 0 : splits[i - 1];
-        const int right = i < splits.size() ? splits[i] : width;
-        draw_line(picture, texts[i], left, right - left, 0, height);
+    strips.text = std::clamp(width / 50.0, 10.0, 64.0);
+    strips.text = texts.scale ? std::min(strips.text, width / scale_width) : strips.text;
+    while (strips.text >= smallest_text && !place_labels(strips, texts, width)) {
+        strips.text *= 0.95;
+    }
+    if (strips.text < smallest_text) {
+        return {};
+    }
+    strips.below = texts.scale ? static_cast<int>(std::ceil(3.2 * strips.text)) : 0;
+    return strips;
+}
+
+void draw_labels(ByteImage &picture, const Strips &strips) {
+    fill(picture, 0, 0, picture.size.width, strips.above, paper);
+    for (std::size_t i = 0; i < strips.lines.size(); ++i) {
+        double top = (line_spacing - 1) / 2 * strips.text;
+        for (const std::string &line : strips.lines[i]) {
+            draw_text(picture, strips.lefts[i] + margin_of(strips.text), top, strips.text, line);
+            top += line_spacing * strips.text;
+        }
     }
 }
 
-void draw_divider(ByteImage &picture, int split) {
-    const int thickness = std::max(1, picture.size.height / 360);
+void draw_scale(ByteImage &picture, const Strips &strips, const ScaleTexts &texts) {
+    const double text = strips.text;
+    const double top = picture.size.height - strips.below;
+    fill(picture, 0, static_cast<int>(top), picture.size.width, picture.size.height, paper);
+    draw_text(picture, margin_of(text), top + 0.4 * text, text, texts.what);
+    draw_text(picture, margin_of(text), top + 1.7 * text, text, texts.result);
+    const std::string left = texts.second + " brighter", right = texts.first + " brighter";
+    const double beside = std::max(text_width(left, text), text_width(right, text)) + text;
+    const double results = std::max(text_width(texts.what, text), text_width(texts.result, text)) + text;
+    const double from = results + margin_of(text) + beside;
+    const double room = picture.size.width - margin_of(text) - beside - from;
+    const double width = std::min(room, 30 * text); // beside the picture's middle, as far as there is room
+    const double bar = std::max(from, std::min((picture.size.width - width) / 2, from + room - width));
+    draw_bar(picture, text, bar, top, width, texts.gain);
+    draw_text(picture, bar - text - text_width(left, text), top + 0.4 * text, text, left);
+    draw_text(picture, bar + width + text, top + 0.4 * text, text, right);
+}
+
+void draw_divider(ByteImage &picture, int split, int top, int rows) {
+    const int thickness = std::max(1, rows / 360);
     const int from = std::max(0, split - (thickness + 1) / 2);
-    const int to = std::min(picture.size.width, from + thickness);
-    for (int y = 0; y < picture.size.height; ++y) {
-        const auto row = picture.rgb.begin() + std::ptrdiff_t{3} * y * picture.size.width;
-        std::fill(row + std::ptrdiff_t{3} * from, row + std::ptrdiff_t{3} * to, static_cast<std::uint8_t>(255));
+    if (thickness > 1) { // edges, so that it is seen between white views, too
+        fill(picture, from - 1, top, from + thickness + 1, top + rows, paper);
     }
+    fill(picture, from, top, from + thickness, top + rows, {255, 255, 255});
 }
 
 } // namespace sandbox

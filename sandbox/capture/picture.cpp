@@ -1,58 +1,130 @@
 #include "capture/picture.h"
 
 #include "capture/labels.h"
+#include "image/difference.h"
 #include "image/error.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <fmt/format.h>
+#include <utility>
+#include <vector>
 
 namespace sandbox {
 namespace {
 
-Image magnified(Image difference, double gain) {
-    const auto g = static_cast<float>(gain);
-    for (glm::vec4 &p : difference.pixels) {
-        p = {g * std::abs(p.r), g * std::abs(p.g), g * std::abs(p.b), 1};
+constexpr std::array<std::string_view, 3> difference_names{"a-b", "a-reference", "b-reference"};
+
+/// The two pictures of a difference, as its scale names them.
+std::pair<const char *, const char *> names_of(DifferenceOf of) {
+    return {of == DifferenceOf::b_truth ? "B" : "A", of == DifferenceOf::a_b ? "B" : "truth"};
+}
+
+std::string truth_label(const Technique &technique) {
+    return fmt::format("truth  {}, per pixel, in double", title_of(model_key, model_key.get(technique)));
+}
+
+/// In people's words.
+std::vector<std::string> label_texts(const PictureOptions &options) {
+    const std::string left =
+        options.textbook_left ? fmt::format("textbook's float32, {}", title_of(model_key, model_key.get(options.left)))
+                              : title_of(options.left);
+    const std::string a = "A  " + left, b = "B  " + title_of(options.right);
+    switch (options.layout) {
+    case Layout::single:
+        return {options.flip == FlipSide::none ? left : options.flip == FlipSide::a ? a : b};
+    case Layout::three_up:
+        return {a, b, truth_label(options.left)};
+    case Layout::difference:
+        if (options.difference_of != DifferenceOf::a_b) {
+            const bool right = options.difference_of == DifferenceOf::b_truth;
+            return {right ? b : a, truth_label(right ? options.right : options.left)};
+        }
+        break;
+    case Layout::side_by_side:
+    case Layout::wipe:
+        break;
     }
-    return difference;
+    return {a, b};
 }
 
-std::string difference_caption(double gain) {
-    return gain == 1 ? "|A - B|" : fmt::format("{:g} |A - B|", gain); // "4 |A - B|"
-}
-
-/// The columns where the second and third views begin.
+/// The columns where the second and third views or labels begin.
 std::vector<int> splits_of(const PictureOptions &options) {
-    if (options.layout == Layout::wipe) {
-        return {split_column(options.size, options.divider)};
+    if (options.layout == Layout::wipe || options.layout == Layout::difference) {
+        return {split_column(options.size, options.layout == Layout::wipe ? options.divider : 0.5)};
     }
     std::vector<int> splits;
     int column = 0;
-    if (columns_of(options.layout) > 1) {
-        for (const Size &view : view_sizes(options.layout, options.size)) {
-            splits.push_back(column += view.width);
-        }
-        splits.pop_back();
+    for (const Size &view : view_sizes(options.layout, options.size)) {
+        splits.push_back(column += view.width);
     }
+    splits.pop_back();
     return splits;
 }
 
-/// One for each view, then a difference's caption.
-std::vector<std::string> label_texts(const PictureOptions &options) {
-    const std::string left = options.textbook_left ? textbook_name(options.left) : to_string(options.left);
+/// However high the picture is.
+Strips wished_strips(const PictureOptions &options) {
+    LabelTexts texts;
+    texts.labels = options.labels ? label_texts(options) : std::vector<std::string>{};
+    texts.splits = options.labels ? splits_of(options) : std::vector<int>{};
+    texts.splits_move = columns_of(options.layout) == 1;
+    texts.scale = options.layout == Layout::difference;
+    return strips_for(options.size.width, texts);
+}
+
+Strips strips_of(const PictureOptions &options) {
+    Strips strips = wished_strips(options);
+    return 3 * (strips.above + strips.below) <= options.size.height ? strips : Strips{};
+}
+
+/// One for each view; of a difference, its two pictures.
+std::vector<Image> draw_views(const Scene &scene, const PictureOptions &options, Size room, const Painters &painters) {
+    const auto left = [&](Size size) {
+        return (options.textbook_left ? painters.textbook : painters.draw)(scene, options.left, size);
+    };
+    const auto right = [&](Size size) { return painters.draw(scene, options.right, size); };
+    const auto truth = [&](const Technique &of, Size size) { return painters.truth(scene, truth_of(of), size); };
+    const std::vector<Size> sizes = view_sizes(options.layout, room);
     if (options.layout == Layout::single) {
-        return {left};
+        return {options.flip == FlipSide::b ? right(room) : left(room)};
     }
-    std::vector<std::string> texts{"A  " + left, "B  " + to_string(options.right)};
+    if (options.layout == Layout::difference && options.difference_of != DifferenceOf::a_b) {
+        const bool of_right = options.difference_of == DifferenceOf::b_truth;
+        return {of_right ? right(room) : left(room), truth(of_right ? options.right : options.left, room)};
+    }
+    std::vector<Image> views{left(sizes[0]), right(sizes[1])};
     if (options.layout == Layout::three_up) {
-        texts.push_back(fmt::format("truth: {}, in double precision", to_string(truth_of(options.left))));
-    } else if (options.layout == Layout::difference) {
-        texts.push_back(difference_caption(options.gain));
+        views.push_back(truth(options.left, sizes[2]));
     }
-    return texts;
+    return views;
+}
+
+std::string result_text(double largest) {
+    return !std::isfinite(largest) ? "not finite"
+           : largest == 0          ? "no pixel differs"
+                                   : fmt::format("largest {:.3g}", largest);
+}
+
+/// In the middle of a picture that has `above` rows more above it.
+void paste(ByteImage &onto, const ByteImage &picture, int above) {
+    const std::size_t row = 3 * static_cast<std::size_t>(onto.size.width);
+    std::ranges::copy(picture.rgb,
+                      onto.rgb.begin() + static_cast<std::ptrdiff_t>(row * static_cast<std::size_t>(above)));
 }
 
 } // namespace
+
+std::string_view to_string(DifferenceOf of) { return difference_names[static_cast<std::size_t>(of)]; }
+
+DifferenceOf parse_difference_of(std::string_view text) {
+    const auto found = std::ranges::find(difference_names, text);
+    if (found == difference_names.end()) {
+        throw InputError("expected a-b, a-reference or b-reference, got '{}'", text);
+    }
+    return static_cast<DifferenceOf>(found - difference_names.begin());
+}
 
 Display parse_display(std::string_view text) {
     if (text != "linear" && text != "srgb") {
@@ -71,34 +143,45 @@ std::string textbook_name(const Technique &technique) {
 Technique truth_of(const Technique &technique) { return {.frequency = Frequency::per_pixel, .model = technique.model}; }
 
 Image draw_picture(const Scene &scene, const PictureOptions &options, const Painters &painters) {
-    const std::vector<Size> sizes = view_sizes(options.layout, options.size);
-    std::vector<Image> views;
-    for (const Size &size : sizes) {
-        switch (views.size()) {
-        case 0:
-            views.push_back((options.textbook_left ? painters.textbook : painters.draw)(scene, options.left, size));
-            break;
-        case 1:
-            views.push_back(painters.draw(scene, options.right, size));
-            break;
-        default:
-            views.push_back(painters.truth(scene, truth_of(options.left), size));
-        }
-    }
-    return compose(options.layout, views, options.divider);
+    return compose(options.layout, draw_views(scene, options, options.size, painters), options.divider);
 }
 
-ByteImage show_picture(const Image &linear, const PictureOptions &options) {
-    ByteImage shown = to_display(options.layout == Layout::difference ? magnified(linear, options.gain) : linear,
-                                 options.display, options.exposure);
-    const std::vector<int> splits = splits_of(options);
-    for (const int split : splits) {
-        if (options.layout == Layout::wipe || options.labels) {
-            draw_divider(shown, split);
+Size room_for_views(const PictureOptions &options) {
+    const Strips strips = strips_of(options);
+    return {options.size.width, options.size.height - strips.above - strips.below};
+}
+
+Size size_around(PictureOptions options, Size room) {
+    options.size = room;
+    const Strips strips = wished_strips(options);
+    options.size.height += strips.above + strips.below;
+    return room_for_views(options) == room ? options.size : room;
+}
+
+ByteImage show_picture(const Scene &scene, const PictureOptions &options, const Painters &painters) {
+    const Strips strips = strips_of(options);
+    const int rows = options.size.height - strips.above - strips.below;
+    const std::vector<Image> views = draw_views(scene, options, {options.size.width, rows}, painters);
+    const bool difference = options.layout == Layout::difference;
+    ByteImage shown{options.size, std::vector<std::uint8_t>(3 * Image(options.size).pixels.size())};
+    paste(shown,
+          difference ? difference_picture(views[0], views[1], options.gain)
+                     : to_display(compose(options.layout, views, options.divider), options.display, options.exposure),
+          strips.above);
+    if (!difference && (options.layout == Layout::wipe || options.labels)) {
+        for (const int split : splits_of(options)) {
+            draw_divider(shown, split, strips.above, rows);
         }
     }
-    if (options.labels) {
-        draw_labels(shown, options.layout, splits, label_texts(options));
+    draw_labels(shown, strips);
+    if (strips.below > 0) {
+        const auto [first, second] = names_of(options.difference_of);
+        draw_scale(shown, strips,
+                   {.what = fmt::format("{} - {}", first, second),
+                    .result = result_text(largest_difference(views[0], views[1])),
+                    .first = first,
+                    .second = second,
+                    .gain = options.gain});
     }
     return shown;
 }

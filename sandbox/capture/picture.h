@@ -13,7 +13,7 @@ namespace sandbox {
 
 /// Draws a view: the renderer, or a fake in a test.
 using DrawView = std::function<Image(const Scene &, const Technique &, Size)>;
-/// Who draws what.
+/// Who draws what. `draw` and `textbook` draw the wireframe, too, where the picture has one.
 struct Painters {
     DrawView draw;
     DrawView textbook; ///< textbook_picture()
@@ -25,17 +25,27 @@ Technique truth_of(const Technique &technique);
 /// "linear" or "srgb". Throws InputError.
 Display parse_display(std::string_view text);
 std::string_view to_string(Display display);
+/// "a-b", "a-reference", "b-reference".
+std::string_view to_string(DifferenceOf of);
+/// Throws InputError listing the names.
+DifferenceOf parse_difference_of(std::string_view text);
+
+/// A single view of two techniques, of which the window shows one at a time.
+enum class FlipSide { none, a, b };
 
 struct PictureOptions {
     Layout layout = Layout::single;
-    Technique left; ///< Layout::single has this one only
+    Technique left; ///< Layout::single without flip has this one only
     Technique right;
-    bool textbook_left = false; ///< the left view is textbook_picture() by the left technique's model
-    Size size{1280, 720};       ///< of the whole picture
+    bool textbook_left = false;     ///< the left view is textbook_picture() by the left technique's model
+    FlipSide flip = FlipSide::none; ///< Layout::single: which of the two
+    Size size{1280, 720};           ///< of the whole picture
     Display display = Display::linear;
     double exposure = 1;
-    double gain = 1;      ///< factor on a difference in a PNG
+    double gain = 1; ///< factor on a difference in a PNG
+    DifferenceOf difference_of = DifferenceOf::a_b;
     double divider = 0.5; ///< the left view's share of a wipe's width
+    bool wireframe = false;
     bool labels = false;
     std::string view; ///< the named view that the camera came from, for the record
     bool operator==(const PictureOptions &) const = default;
@@ -44,12 +54,17 @@ struct PictureOptions {
 /// How a textbook's picture is labelled: "textbook float32/phong". It depends on the technique's model alone.
 std::string textbook_name(const Technique &technique);
 
-/// Linear RGB, as a PFM holds it. A difference is left - right, without gain. The third view of a three-up is the truth
-/// of the left technique.
+/// The data, as a PFM holds it: linear RGB, `options.size` for the views alone. A difference is the first picture - the
+/// second, without gain. The third view of a three-up is the truth of the left technique.
 Image draw_picture(const Scene &scene, const PictureOptions &options, const Painters &painters);
 
-/// The picture as a PNG holds it: `linear` (from draw_picture) through gain * |difference|, exposure and the display's
-/// curve, then a wipe's divider, then labels.
-ByteImage show_picture(const Image &linear, const PictureOptions &options);
+/// The picture as a PNG holds it: exposure and the display's curve, dividers, labels in a strip above the views; a
+/// difference in its colours, with its scale in a strip below.
+ByteImage show_picture(const Scene &scene, const PictureOptions &options, const Painters &painters);
+
+/// What the strips of a PNG leave to its views. Strips that would take more than a third of the height are left out.
+Size room_for_views(const PictureOptions &options);
+/// The size of a PNG that leaves `room` to its views.
+Size size_around(PictureOptions options, Size room);
 
 } // namespace sandbox

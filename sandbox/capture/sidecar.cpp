@@ -31,6 +31,13 @@ double read_share(double value) {
     return value;
 }
 
+FlipSide parse_flip(std::string_view text) {
+    if (text != "A" && text != "B") {
+        throw InputError("expected A or B, got '{}'", text);
+    }
+    return text == "A" ? FlipSide::a : FlipSide::b;
+}
+
 void read_techniques(const ordered_json &value, PictureOptions &options) {
     options.left = parse_technique(value.at(0).get<std::string>());
     options.right = value.size() > 1 ? parse_technique(value.at(1).get<std::string>()) : options.left;
@@ -46,7 +53,7 @@ std::filesystem::path sidecar_path(const std::filesystem::path &picture) {
 
 std::string sidecar_text(const Scene &scene, const PictureOptions &options, const DrawnBy &by) {
     ordered_json techniques = ordered_json::array({to_string(options.left)});
-    if (options.layout != Layout::single) {
+    if (options.layout != Layout::single || options.flip != FlipSide::none) {
         techniques.push_back(to_string(options.right));
     }
     ordered_json out{{"version", SANDBOX_VERSION},
@@ -61,6 +68,15 @@ std::string sidecar_text(const Scene &scene, const PictureOptions &options, cons
                      {"labels", options.labels}};
     if (options.textbook_left) {
         out["textbook_left"] = true;
+    }
+    if (options.wireframe) {
+        out["wireframe"] = true;
+    }
+    if (options.flip != FlipSide::none) {
+        out["flip"] = options.flip == FlipSide::a ? "A" : "B";
+    }
+    if (options.layout == Layout::difference) {
+        out["difference_of"] = to_string(options.difference_of);
     }
     if (options.layout == Layout::wipe) {
         out["divider"] = options.divider;
@@ -87,6 +103,10 @@ std::optional<PictureOptions> sidecar_options(std::string_view text, std::string
     read("size", [&](const ordered_json &v) { options.size = {v.at(0).get<int>(), v.at(1).get<int>()}; });
     read("display", [&](const ordered_json &v) { options.display = parse_display(v.get<std::string>()); });
     read("divider", [&](const ordered_json &v) { options.divider = read_share(v.get<double>()); });
+    read("flip", [&](const ordered_json &v) { options.flip = parse_flip(v.get<std::string>()); });
+    read("difference_of",
+         [&](const ordered_json &v) { options.difference_of = parse_difference_of(v.get<std::string>()); });
+    read_value("wireframe", options.wireframe);
     read_value("textbook_left", options.textbook_left);
     read_value("exposure", options.exposure);
     read_value("gain", options.gain);

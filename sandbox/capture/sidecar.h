@@ -19,8 +19,9 @@ struct DrawnBy {
 /// a.png -> a.png.json
 std::filesystem::path sidecar_path(const std::filesystem::path &picture);
 
-/// Keys: version, renderer, opengl, layout, techniques (one or two), textbook_left (if so), size, display, exposure,
-/// gain, labels, divider (of a wipe), view, scene.
+/// Keys: version, renderer, opengl, layout, techniques (one or two), textbook_left, wireframe (if so), flip (A or B:
+/// which of two is shown), size, display, exposure, gain, labels, difference_of (of a difference), divider (of a wipe),
+/// view, scene.
 std::string sidecar_text(const Scene &scene, const PictureOptions &options, const DrawnBy &by);
 
 /// The options of a sidecar; nothing if `text` is none (a scene file, an OBJ). `name` is used in messages.

@@ -6,9 +6,8 @@
 #include "commands/progress_bar.h"
 #include "commands/session.h"
 #include "image/image_file.h"
-#include "measure/stability/textbook.h"
-#include "reference/reference.h"
 #include "scene/orbit.h"
+#include "ui/views/painters.h"
 
 #include <cmath>
 
@@ -25,6 +24,8 @@ struct CaptureFlags {
     std::optional<Display> display;
     std::optional<double> gain, exposure, orbit;
     std::optional<int> frames;
+    std::optional<DifferenceOf> difference_of;
+    bool wireframe = false;
     bool labels = false;
     bool no_labels = false;
     bool no_sidecar = false;
@@ -35,6 +36,7 @@ void apply_one_view(const CaptureFlags &flags, PictureOptions &options) {
         throw InputError("--technique is for one view; --left, --right and --layout are for two");
     }
     options.layout = Layout::single;
+    options.flip = FlipSide::none;
     options.left = options.right = *flags.technique;
     options.textbook_left = false;
 }
@@ -52,6 +54,7 @@ void apply_two_views(const CaptureFlags &flags, PictureOptions &options) {
         throw InputError(
             "--layout: two views need side-by-side, wipe, difference or three-up; use --technique for one");
     }
+    options.flip = FlipSide::none;
 }
 
 /// The sidecar's options, or the defaults, with what the flags change.
@@ -62,13 +65,15 @@ PictureOptions picture_options(const CaptureFlags &flags) {
     } else if (flags.left || flags.right || flags.layout) {
         apply_two_views(flags, options);
     }
-    if (flags.gain && options.layout != Layout::difference) {
-        throw InputError("--gain needs --layout difference");
+    if ((flags.gain || flags.difference_of) && options.layout != Layout::difference) {
+        throw InputError("{} needs --layout difference", flags.gain ? "--gain" : "--difference-of");
     }
     options.size = flags.size.value_or(options.size);
     options.display = flags.display.value_or(options.display);
     options.gain = flags.gain.value_or(options.gain);
     options.exposure = flags.exposure.value_or(options.exposure);
+    options.difference_of = flags.difference_of.value_or(options.difference_of);
+    options.wireframe = options.wireframe || flags.wireframe;
     options.labels = (options.labels || flags.labels) && !flags.no_labels;
     options.view = flags.view.empty() ? options.view : flags.view;
     check_positive("--gain", options.gain);
@@ -81,7 +86,8 @@ void refuse_display_flags(const CaptureFlags &flags) {
     const std::pair<bool, const char *> display_flags[] = {{flags.display.has_value(), "--display"},
                                                            {flags.exposure.has_value(), "--exposure"},
                                                            {flags.gain.has_value(), "--gain"},
-                                                           {flags.labels, "--labels"}};
+                                                           {flags.labels, "--labels"},
+                                                           {flags.wireframe, "--wireframe"}};
     for (const auto &[given, flag] : display_flags) {
         if (given) {
             throw InputError("{}: a .pfm holds the linear values unchanged; use a .png", flag);
@@ -117,19 +123,15 @@ int run_capture(const CaptureFlags &flags, const CommonOptions &common) {
         refuse_display_flags(flags);
     }
     const int frames = frame_count(flags);
-    const PictureOptions options = picture_options(flags);
+    PictureOptions options = picture_options(flags);
+    options.labels = options.labels && !pfm;
+    options.wireframe = options.wireframe && !pfm;
     Scene scene = open_scene(common, flags.scene, flags.view);
     const Camera camera = scene.camera;
 
     DrawingSession session(common);
     const DrawnBy by{session.context().renderer(), session.context().version()};
-    const auto resources = [&](const Scene &s) { return session.renderer().resources().load(s); };
-    const Painters painters{
-        [&](const Scene &s, const Technique &t, Size size) { return session.renderer().render(s, t, size).color; },
-        [&](const Scene &s, const Technique &t, Size size) { return textbook_picture(s, resources(s), t, size).color; },
-        [&](const Scene &s, const Technique &t, Size size) {
-            return to_frame(render_reference(s, resources(s), t, size)).color;
-        }};
+    const Painters painters = painters_of(session.renderer(), options.wireframe);
     if (options.layout == Layout::single || options.textbook_left) {
         note_no_effect(scene, options.textbook_left ? options.right : options.left);
     } else {
@@ -139,8 +141,8 @@ int run_capture(const CaptureFlags &flags, const CommonOptions &common) {
     for (int i = 0; i < frames; ++i) {
         scene.camera = orbit_camera(camera, orbit_degrees(flags.orbit.value_or(0), i, frames));
         const std::filesystem::path path(flags.frames ? frame_name(flags.out.string(), i) : flags.out.string());
-        const Image linear = draw_picture(scene, options, painters);
-        write_output(path, pfm ? encode_pfm(linear) : encode_png(show_picture(linear, options)));
+        write_output(path, pfm ? encode_pfm(draw_picture(scene, options, painters))
+                               : encode_png(show_picture(scene, options, painters)));
         if (!flags.no_sidecar) {
             write_output(sidecar_path(path), sidecar_text(scene, options, by));
         }
@@ -168,7 +170,8 @@ void add_capture(CLI::App &app, CommonOptions &common, Run &run) {
     add_parsed(command, "--display", "linear|srgb", flags->display, parse_display, "Transfer curve of a PNG [linear]");
     add_value(command, "--exposure", "E", flags->exposure,
               "Factor on the colours of a PNG, before the transfer curve [1]");
-    command.add_flag("--labels", flags->labels, "Write the techniques over the picture");
+    command.add_flag("--wireframe", flags->wireframe, "Draw the triangles' edges over a PNG");
+    command.add_flag("--labels", flags->labels, "Write the techniques in a strip above the views");
     command.add_flag("--no-labels", flags->no_labels, "No labels, even if the sidecar asks for them");
     command.add_flag("--no-sidecar", flags->no_sidecar,
                      "Do not write FILE.json, the sidecar that reproduces the picture");
@@ -178,15 +181,19 @@ void add_capture(CLI::App &app, CommonOptions &common, Run &run) {
     add_parsed(command, "--layout", "LAYOUT", flags->layout, parse_layout,
                "side-by-side, wipe, difference or three-up, whose third view is the truth [side-by-side]");
     add_value(command, "--gain", "G", flags->gain, "Factor on a difference in a PNG [1]");
+    add_parsed(command, "--difference-of", "a-b|a-reference|b-reference", flags->difference_of, parse_difference_of,
+               "The two pictures of a difference; a reference is of that side's model [a-b]");
     command.option_defaults()->group("Turntable");
     add_value(command, "--frames", "N", flags->frames, "Number of frames; --out must contain %04d");
     add_value(command, "--orbit", "DEG", flags->orbit,
               "Total turn in degrees, about the target and the up axis; frame k is turned by DEG k/N");
     command.footer(
-        "--size is the size of the whole file: side by side, each view has half the width, three-up a third,\n"
-        "and the first ones have the columns that are left over. A difference is G |left - right| in a PNG and left - "
-        "right\n"
-        "in a PFM.");
+        "--size is the size of the whole file: strips with labels and scales first, then, side by side, each view has\n"
+        "half the width, three-up a third, and the first ones have the columns that are left over. A difference is in "
+        "a\n"
+        "PNG G (left - right), orange where left is brighter, blue where right is, over a faint outline of the scene, "
+        "and\n"
+        "in a PFM left - right.");
     run_when_chosen(command, common, run, flags, run_capture);
 }
 

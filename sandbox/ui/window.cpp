@@ -2,13 +2,12 @@
 
 #include "capture/sidecar.h"
 #include "image/image_file.h"
-#include "measure/stability/textbook.h"
-#include "reference/reference.h"
 #include "render/context.h"
 #include "scene/scene_file.h"
 #include "ui/frame.h"
 #include "ui/keys.h"
 #include "ui/session/written_files.h"
+#include "ui/views/painters.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -30,17 +29,9 @@ std::filesystem::path capture_views(const Session &session, ViewPainter &painter
     const Size each = painter.view(false).size;
     const Scene scene = scene_in_view(session.document, each); // so that the sidecar alone gives the same picture
     const PictureOptions options = picture_options(session, each);
-    Renderer &renderer = painter.renderer();
-    const auto resources = [&](const Scene &s) { return renderer.resources().load(s); };
-    const Painters painters{
-        [&](const Scene &s, const Technique &t, Size size) { return renderer.render(s, t, size).color; },
-        [&](const Scene &s, const Technique &t, Size size) { return textbook_picture(s, resources(s), t, size).color; },
-        [&](const Scene &s, const Technique &t, Size size) {
-            return to_frame(render_reference(s, resources(s), t, size)).color;
-        }};
-    const Image linear = draw_picture(scene, options, painters);
+    const Painters painters = painters_of(painter.renderer(), options.wireframe);
     auto path = std::filesystem::absolute(free_name(capture_folder(), session.document.opened->name));
-    write_file(path, encode_png(show_picture(linear, options)));
+    write_file(path, encode_png(show_picture(scene, options, painters)));
     write_file(sidecar_path(path), sidecar_text(scene, options, by));
     return path;
 }

@@ -29,6 +29,7 @@ PictureOptions unusual() {
     options.exposure = 0.1;
     options.gain = 3.7;
     options.divider = 0.3125;
+    options.wireframe = true;
     options.labels = true;
     options.view = "from-above";
     return options;
@@ -41,6 +42,16 @@ TEST(Sidecar, OptionsRoundTrip) {
     PictureOptions single;
     single.left = single.right = parse_technique("flat/lambert");
     EXPECT_EQ(sidecar_options(sidecar_text(ball(), single, {}), "a.json"), single);
+    PictureOptions difference = unusual();
+    difference.layout = Layout::difference;
+    difference.divider = PictureOptions{}.divider;
+    difference.difference_of = DifferenceOf::b_truth;
+    EXPECT_EQ(sidecar_options(sidecar_text(ball(), difference, {}), "a.json"), difference);
+    PictureOptions flip = unusual();
+    flip.layout = Layout::single;
+    flip.divider = PictureOptions{}.divider;
+    flip.flip = FlipSide::b;
+    EXPECT_EQ(sidecar_options(sidecar_text(ball(), flip, {}), "a.json"), flip);
 }
 
 TEST(Sidecar, TheSceneRoundTripsToTheLastBit) {
@@ -78,6 +89,9 @@ TEST(Sidecar, AWrongValueIsRefusedByItsKey) {
                                                              {"exposure", "bright"},
                                                              {"divider", 1.5},
                                                              {"divider", "left"},
+                                                             {"wireframe", 1},
+                                                             {"flip", "a"},
+                                                             {"difference_of", "a-truth"},
                                                              {"labels", "yes"}}) {
         auto json = nlohmann::json::parse(good);
         json[key] = value;

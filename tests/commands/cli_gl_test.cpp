@@ -46,6 +46,8 @@ TEST_F(CliGl, ASidecarMakesThePictureAgainBitForBit) {
         {"sides.png", with({"--labels"})},
         {"wipe.png", with({"--layout", "wipe"})},
         {"difference.png", with({"--layout", "difference", "--gain", "3.3", "--labels"})},
+        {"of-truth.png", with({"--layout", "difference", "--difference-of", "b-reference"})},
+        {"lines.png", with({"--layout", "three-up", "--wireframe", "--labels"})},
         {"difference.pfm", with({"--layout", "difference"})}};
     for (const auto &[name, flags] : pictures) {
         ASSERT_EQ(capture(name, flags).exit_code, 0) << name;

@@ -1,8 +1,11 @@
 #include "render/display_pass.h"
+
+#include "image/difference.h"
 #include "tools/gl_test.h"
 
 #include <glad/gl.h>
 #include <limits>
+#include <random>
 
 namespace sandbox {
 namespace {
@@ -72,6 +75,29 @@ TEST_F(DisplayPasses, ADifferenceShowsWhatIsNotFinite) {
     DisplayTexture texture(left.size);
     DisplayPass(ShaderParts(Assets("shaders"))).run_difference(a, b, texture, 1);
     EXPECT_EQ(read_rgb(texture), (std::vector<std::uint8_t>{255, 0, 255, 255, 0, 255, 255, 255, 255}));
+}
+
+/// A level apart at most: where 255 times a colour lies halfway between two, float32 may round either way.
+TEST_F(DisplayPasses, ADifferenceIsTheOneThatFilesHold) {
+    Image left({61, 37}), right(left.size);
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> light(-0.25F, 1.5F);
+    for (std::size_t i = 0; i < left.pixels.size(); ++i) {
+        left.pixels[i] = {light(random), light(random), light(random), 1};
+        right.pixels[i] = i % 3 == 0 ? left.pixels[i] : glm::vec4(light(random), light(random), light(random), 1);
+    }
+    left.at(5, 5).g = infinite;
+    right.at(9, 0).r = not_a_number;
+    Target a(left.size), b(right.size);
+    a.write_color(left);
+    b.write_color(right);
+    DisplayTexture texture(left.size);
+    DisplayPass(ShaderParts(Assets("shaders"))).run_difference(a, b, texture, 1.7F);
+    const std::vector<std::uint8_t> shown = read_rgb(texture), filed = difference_picture(left, right, 1.7F).rgb;
+    ASSERT_EQ(shown.size(), filed.size());
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        ASSERT_NEAR(shown[i], filed[i], 1) << "pixel " << i / 3;
+    }
 }
 
 TEST_F(DisplayPasses, AFinishedPictureIsShownAsItIs) {

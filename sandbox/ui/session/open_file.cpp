@@ -20,7 +20,8 @@ void take_sidecar(OpenedFile &file, const PictureOptions &options) {
     file.capture = true;
     file.left = options.left;
     file.textbook_left = options.textbook_left;
-    if (options.layout != Layout::single) {
+    file.wireframe = options.wireframe;
+    if (options.layout != Layout::single || options.flip != FlipSide::none) {
         file.right = options.right;
         file.layout = options.layout;
     }
@@ -28,6 +29,10 @@ void take_sidecar(OpenedFile &file, const PictureOptions &options) {
     file.exposure = options.exposure;
     if (options.layout == Layout::wipe) {
         file.divider = options.divider;
+    }
+    if (options.layout == Layout::difference) {
+        file.gain = options.gain;
+        file.difference_of = options.difference_of;
     }
 }
 
@@ -72,6 +77,9 @@ Document document_from(const OpenedFile &file, const Session &session) {
 void take_view(ViewSettings &view, const OpenedFile &file) {
     view.layout = file.layout.value_or(view.layout);
     view.divider = static_cast<float>(file.divider.value_or(static_cast<double>(view.divider)));
+    view.wireframe = file.wireframe.value_or(view.wireframe);
+    view.gain = file.gain.value_or(view.gain);
+    view.difference_of = file.difference_of.value_or(view.difference_of);
 }
 
 } // namespace sandbox

@@ -20,6 +20,9 @@ struct OpenedFile {
     std::optional<double> exposure;
     std::optional<Layout> layout;
     std::optional<double> divider; ///< of a wipe
+    std::optional<bool> wireframe;
+    std::optional<double> gain; ///< of a difference, as is:
+    std::optional<DifferenceOf> difference_of;
 };
 
 /// Throws InputError.

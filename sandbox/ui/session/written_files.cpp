@@ -58,16 +58,20 @@ PictureOptions picture_options(const Session &session, Size each) {
     const Document &document = session.document;
     PictureOptions options;
     options.layout = session.view.layout;
-    const bool single_right = options.layout == Layout::single && session.view.show_right;
-    options.left = single_right ? document.right : document.left;
+    if (options.layout == Layout::single) {
+        options.flip = session.view.show_right ? FlipSide::b : FlipSide::a;
+    }
+    options.left = document.left;
     options.right = document.right;
-    options.textbook_left = !single_right && document.left_is_textbook();
-    options.size = {each.width * columns_of(options.layout), each.height};
+    options.textbook_left = document.left_is_textbook();
     options.display = document.display;
     options.exposure = document.exposure;
     options.gain = session.view.gain;
+    options.difference_of = session.view.difference_of;
+    options.wireframe = session.view.wireframe;
     options.divider = static_cast<double>(session.view.divider);
     options.labels = true;
+    options.size = size_around(options, {each.width * columns_of(options.layout), each.height});
     return options;
 }
 

@@ -1,6 +1,6 @@
 #include "ui/views/difference_scale.h"
 
-#include "render/difference_palette.h"
+#include "image/difference.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 

@@ -1,35 +1,14 @@
 #include "ui/views/view_painter.h"
 
+#include "image/difference.h"
 #include "measure/stability/textbook.h"
 #include "shading/prepared_object.h"
+#include "ui/views/painters.h"
 
-#include <algorithm>
-#include <cmath>
 #include <exception>
-#include <glm/common.hpp>
-#include <glm/vec3.hpp>
-#include <limits>
 #include <utility>
 
 namespace sandbox {
-
-namespace {
-
-constexpr glm::vec3 wireframe_color{0.9F, 0.9F, 0.9F};
-
-/// Infinite if a pixel of either is not finite.
-double largest_channel_difference(const Image &left, const Image &right) {
-    double largest = 0;
-    for (std::size_t i = 0; i < std::min(left.pixels.size(), right.pixels.size()); ++i) {
-        const glm::dvec3 apart = glm::abs(glm::dvec3(left.pixels[i]) - glm::dvec3(right.pixels[i]));
-        const double most = apart.r + apart.g + apart.b; // NaN if one of them is; std::max would lose it
-        largest = std::isfinite(most) ? std::max({largest, apart.r, apart.g, apart.b})
-                                      : std::numeric_limits<double>::infinity();
-    }
-    return largest;
-}
-
-} // namespace
 
 void ViewPainter::draw_textbook(Side &side, const Key &key) {
     if (key.wireframe) {
@@ -208,8 +187,8 @@ void ViewPainter::measure_difference() {
         return;
     }
     measured_ = true;
-    largest_difference_ = largest_channel_difference(target_of(difference_of_, false)->read_color(),
-                                                     target_of(difference_of_, true)->read_color());
+    largest_difference_ = sandbox::largest_difference(target_of(difference_of_, false)->read_color(),
+                                                      target_of(difference_of_, true)->read_color());
 }
 
 std::vector<std::size_t> ViewPainter::triangles(const Scene &scene) {

@@ -43,6 +43,7 @@ TEST(Document, ACaptureIsShownAsItWasTaken) {
     Session session = session_with(scene);
     session.view.layout = Layout::wipe;
     session.view.divider = 0.25F;
+    session.view.wireframe = true;
     session.document.exposure = 2;
     session.document.display = Display::srgb;
     const PictureOptions options = picture_options(session, {300, 600});
@@ -60,6 +61,14 @@ TEST(Document, ACaptureIsShownAsItWasTaken) {
     take_view(view, file);
     EXPECT_EQ(view.layout, Layout::wipe);
     EXPECT_EQ(view.divider, 0.25F);
+    EXPECT_TRUE(view.wireframe);
+    session.view.layout = Layout::difference;
+    session.view.gain = 17;
+    session.view.difference_of = DifferenceOf::b_truth;
+    write_file(path, sidecar_text(seen, picture_options(session, {300, 600}), {}));
+    take_view(view, open_file(path.string(), Assets("assets")));
+    EXPECT_EQ(view.gain, 17);
+    EXPECT_EQ(view.difference_of, DifferenceOf::b_truth);
     EXPECT_EQ(scene_in_view(restored, {300, 600}), seen); // not widened a second time
 }
 
@@ -75,7 +84,7 @@ TEST(Document, ATextbooksPictureLastsAsLongAsItsTechnique) {
     EXPECT_TRUE(document_from(open_file(path.string(), Assets("assets")), session_with(Scene{})).left_is_textbook());
     session.view.layout = Layout::single;
     session.view.show_right = true;
-    EXPECT_FALSE(picture_options(session, {300, 200}).textbook_left);
+    EXPECT_EQ(picture_options(session, {300, 200}).flip, FlipSide::b) << "the picture is B's";
 
     session.document.left.model = Model::lambert;
     EXPECT_FALSE(session.document.left_is_textbook());
@@ -117,11 +126,12 @@ TEST(CaptureFiles, NamesStayInTheFolder) {
 
 TEST(CaptureFiles, SideBySideHoldsBothViews) {
     Session session = session_with(Scene{});
-    EXPECT_EQ(picture_options(session, {300, 200}).size, (Size{600, 200}));
+    EXPECT_EQ(room_for_views(picture_options(session, {300, 200})), (Size{600, 200}));
     session.view.layout = Layout::single;
     session.view.show_right = true;
-    EXPECT_EQ(picture_options(session, {300, 200}).left, blinn);
-    EXPECT_EQ(picture_options(session, {300, 200}).size, (Size{300, 200}));
+    EXPECT_EQ(picture_options(session, {300, 200}).flip, FlipSide::b);
+    EXPECT_EQ(picture_options(session, {300, 200}).right, blinn);
+    EXPECT_EQ(room_for_views(picture_options(session, {300, 200})), (Size{300, 200}));
 }
 
 TEST(Document, NarrowViewsOfAnOrthographicCameraShowMoreOfTheWorld) {
