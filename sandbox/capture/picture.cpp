@@ -9,22 +9,12 @@
 #include <cmath>
 #include <cstdint>
 #include <fmt/format.h>
-#include <utility>
 #include <vector>
 
 namespace sandbox {
 namespace {
 
 constexpr std::array<std::string_view, 3> difference_names{"a-b", "a-reference", "b-reference"};
-
-/// The two pictures of a difference, as its scale names them.
-std::pair<const char *, const char *> names_of(DifferenceOf of) {
-    return {of == DifferenceOf::b_truth ? "B" : "A", of == DifferenceOf::a_b ? "B" : "truth"};
-}
-
-std::string truth_label(const Technique &technique) {
-    return fmt::format("truth  {}, per pixel, in double", title_of(model_key, model_key.get(technique)));
-}
 
 /// In people's words.
 std::vector<std::string> label_texts(const PictureOptions &options) {
@@ -101,12 +91,6 @@ std::vector<Image> draw_views(const Scene &scene, const PictureOptions &options,
     return views;
 }
 
-std::string result_text(double largest) {
-    return !std::isfinite(largest) ? "not finite"
-           : largest == 0          ? "no pixel differs"
-                                   : fmt::format("largest {:.3g}", largest);
-}
-
 /// In the middle of a picture that has `above` rows more above it.
 void paste(ByteImage &onto, const ByteImage &picture, int above) {
     const std::size_t row = 3 * static_cast<std::size_t>(onto.size.width);
@@ -115,6 +99,20 @@ void paste(ByteImage &onto, const ByteImage &picture, int above) {
 }
 
 } // namespace
+
+std::pair<const char *, const char *> names_of(DifferenceOf of) {
+    return {of == DifferenceOf::b_truth ? "B" : "A", of == DifferenceOf::a_b ? "B" : "truth"};
+}
+
+std::string difference_text(double largest) {
+    return !std::isfinite(largest) ? "not finite"
+           : largest == 0          ? "no pixel differs"
+                                   : fmt::format("largest {:.3g}", largest);
+}
+
+std::string truth_label(const Technique &technique) {
+    return fmt::format("truth  {}, per pixel, in double", title_of(model_key, model_key.get(technique)));
+}
 
 std::string_view to_string(DifferenceOf of) { return difference_names[static_cast<std::size_t>(of)]; }
 
@@ -178,7 +176,7 @@ ByteImage show_picture(const Scene &scene, const PictureOptions &options, const 
         const auto [first, second] = names_of(options.difference_of);
         draw_scale(shown, strips,
                    {.what = fmt::format("{} - {}", first, second),
-                    .result = result_text(largest_difference(views[0], views[1])),
+                    .result = difference_text(largest_difference(views[0], views[1])),
                     .first = first,
                     .second = second,
                     .gain = options.gain});

@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 /// A picture of a scene for a file: `capture` and the window's capture key both make it.
 namespace sandbox {
@@ -19,6 +20,12 @@ struct Painters {
     DrawView textbook; ///< textbook_picture()
     DrawView truth;    ///< the reference
 };
+/// The two pictures of a difference, as its scale names them: "A" and "truth".
+std::pair<const char *, const char *> names_of(DifferenceOf of);
+/// "not finite", "no pixel differs", "largest 0.25".
+std::string difference_text(double largest);
+/// "truth  Phong, per pixel, in double": over the reference that a technique is judged by.
+std::string truth_label(const Technique &technique);
 /// The technique of the reference that a side is judged by: its model, per pixel, every fault off.
 Technique truth_of(const Technique &technique);
 

@@ -3,6 +3,7 @@
 #include "image/error.h"
 #include "render/glfw_context.h"
 #include "ui/keys.h"
+#include "ui/session/settings.h"
 
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
@@ -59,7 +60,7 @@ GlfwWindow::GlfwWindow(Size size) {
         throw MachineError("no window with OpenGL 3.3 can be opened here (" + reason +
                            "): a newer graphics driver may help; Mesa's llvmpipe (libgl1-mesa-dri) needs no GPU");
     }
-    glfwSetWindowSizeLimits(window_, 480, 320, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    glfwSetWindowSizeLimits(window_, least_window.width, least_window.height, GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwSetWindowUserPointer(window_, &arrivals_);
     install_callbacks(window_);
     context_ = make_window_context(window_);

@@ -21,7 +21,6 @@ namespace sandbox {
 namespace {
 
 using Player = ScriptPlayer;
-constexpr std::size_t any_number = 99;
 constexpr ScriptAction rows[] = {
     {"click", "WIDGET [X Y]", "by its name, or X, Y pixels from its upper left corner", 1, 3, &Player::click},
     {"double-click", "WIDGET", "brings a camera back", 1, 1, &Player::double_click},

@@ -197,7 +197,7 @@ void Window::keep_settings() {
     settings_.panels = session_.appearance.panels;
     settings_.scale = static_cast<double>(session_.appearance.scale);
     const Size size = host_.framebuffer_size();
-    if (!session_.appearance.full_screen && size.width >= 480 && size.height >= 320) {
+    if (!session_.appearance.full_screen && size.width >= least_window.width && size.height >= least_window.height) {
         const auto scale = static_cast<double>(host_.content_scale());
         settings_.window = {static_cast<int>(size.width / scale), static_cast<int>(size.height / scale)};
     }

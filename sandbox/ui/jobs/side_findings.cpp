@@ -1,6 +1,7 @@
 #include "ui/jobs/side_findings.h"
 
 #include "capture/picture.h"
+#include "image/difference.h"
 #include "image/error.h"
 #include "measure/stability/textbook.h"
 #include "reference/reference.h"
@@ -9,8 +10,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <limits>
 
 namespace sandbox {
 
@@ -105,21 +104,6 @@ class Finder {
             side.truth = std::make_shared<Image>(to_frame(truth).color);
             side.uses = pixel_uses(drawn.object_ids, truth);
         }
-    }
-
-    static double largest_difference(const Image &left, const Image &right) {
-        double largest = 0;
-        for (std::size_t i = 0; i < left.pixels.size(); ++i) {
-            for (int channel = 0; channel < 3; ++channel) {
-                const double apart = std::abs(static_cast<double>(left.pixels[i][channel]) -
-                                              static_cast<double>(right.pixels[i][channel]));
-                if (!std::isfinite(apart)) {
-                    return std::numeric_limits<double>::quiet_NaN();
-                }
-                largest = std::max(largest, apart);
-            }
-        }
-        return largest;
     }
 
     const SidesShown &shown_;

@@ -35,7 +35,7 @@ struct SideFindings {
 struct Findings {
     SidesShown of;
     std::array<SideFindings, 2> sides;
-    std::optional<double> apart; ///< the largest |A - B| of any channel of any pixel, NaN if one is not finite
+    std::optional<double> apart; ///< the largest |A - B| of any channel, infinite if a pixel is not finite
 };
 
 } // namespace sandbox

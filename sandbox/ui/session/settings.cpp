@@ -39,7 +39,8 @@ Settings read_settings(const fs::path &file, std::string &message) {
         settings.scale = std::clamp(from.value("scale", settings.scale), 0.6, 3.0);
         settings.recent = from.value("recent", settings.recent);
         const auto size = from.value("window", std::array<int, 2>{settings.window.width, settings.window.height});
-        settings.window = {std::clamp(size[0], 480, 16384), std::clamp(size[1], 320, 16384)};
+        settings.window = {std::clamp(size[0], least_window.width, 16384),
+                           std::clamp(size[1], least_window.height, 16384)};
     } catch (const std::exception &) { // no JSON, or other values
         const fs::path aside = file.string() + ".damaged";
         fs::rename(file, aside, error);

@@ -18,6 +18,7 @@ struct Settings {
     bool operator==(const Settings &) const = default;
 };
 constexpr std::size_t most_recent = 10;
+constexpr Size least_window{480, 320};
 
 /// shading-sandbox/settings.json in the platform's configuration folder ($XDG_CONFIG_HOME, else ~/.config); empty where
 /// there is none.

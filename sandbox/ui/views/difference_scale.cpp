@@ -1,5 +1,6 @@
 #include "ui/views/difference_scale.h"
 
+#include "capture/picture.h"
 #include "image/difference.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -37,20 +38,9 @@ void centred_text(float x, float y, const std::string &text) {
     ImGui::GetWindowDrawList()->AddText({x - width / 2, y}, ImGui::GetColorU32(ImGuiCol_Text), text.c_str());
 }
 
-std::pair<const char *, const char *> names_of(DifferenceOf of) {
-    switch (of) {
-    case DifferenceOf::a_b:
-        break;
-    case DifferenceOf::a_truth:
-        return {"A", "truth"};
-    case DifferenceOf::b_truth:
-        return {"B", "truth"};
-    }
-    return {"A", "B"};
-}
+} // namespace
 
-/// In the picture's foot: the bar, five numbers below it, what its ends mean beside it.
-void draw_scale(const Session &session, const Rect &picture) {
+void difference_scale(const Session &session, const Rect &picture) {
     const float em = ImGui::GetFontSize();
     const float half = std::min(picture.width() * 0.25F, em * 14);
     const float middle = (picture.low.x + picture.high.x) / 2;
@@ -72,10 +62,6 @@ void draw_scale(const Session &session, const Rect &picture) {
     list.AddText({bar.low.x - gap - ImGui::CalcTextSize(left.c_str()).x, top - 1}, color, left.c_str());
     list.AddText({bar.high.x + gap, top - 1}, color, right.c_str());
 }
-
-} // namespace
-
-void difference_scale(Session &session, const Rect &picture) { draw_scale(session, picture); }
 
 void difference_controls(Session &session, const ViewPainter &painter, const Rect &picture) {
     const ScopedName scope(session, "Difference");
@@ -106,11 +92,8 @@ void difference_controls(Session &session, const ViewPainter &painter, const Rec
         session.view.gain = nearest_accepted(1 / largest, gain_range);
     }
     ImGui::SameLine();
-    const std::string text =
-        !std::isfinite(largest) ? "not finite"
-        : largest == 0          ? "no pixel differs"
-                                : fmt::format("largest {:.3g}{}", largest,
-                                     session.view.difference_of == DifferenceOf::a_b ? "" : ", edges included");
+    const bool edges = session.view.difference_of != DifferenceOf::a_b && std::isfinite(largest) && largest > 0;
+    const std::string text = difference_text(largest) + (edges ? ", edges included" : "");
     ImGui::TextColored(std::isfinite(largest) ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : error_text(), "%s",
                        painter.difference_texture() != 0 ? text.c_str() : "");
     describe_item(session, "largest", "", text);

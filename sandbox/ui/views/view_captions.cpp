@@ -181,11 +181,8 @@ void draw_captions(Session &session, const ViewPainter &painter, const Rect &pic
 }
 
 void draw_truth_captions(Session &session, const Rect &picture, bool right) {
-    const Technique &technique = session.technique(right);
-    const std::string name = title_of(model_key, model_key.get(technique));
     draw_text_line(session, "Truth/name", picture, picture.low.y - ImGui::GetFrameHeight(),
-                   ImGui::GetStyleColorVec4(ImGuiCol_Text), fmt::format("truth   {}, per pixel, in double", name),
-                   false);
+                   ImGui::GetStyleColorVec4(ImGuiCol_Text), truth_label(session.technique(right)), false);
 }
 
 void draw_mask_legend(const Session &session, const ViewPainter &painter, const Rect &picture, bool right,

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <glm/vec4.hpp>
 #include <string>
 
@@ -61,7 +62,7 @@ void draw_vectors(const PixelFindings &found, const ProbedPixel &truth, const Re
     const glm::dvec3 point = truth.probe.position - camera.position;
     const double depth = glm::dot(point, camera_axes(camera).forward);
     const double height =
-        is_orthographic(camera) ? camera.height : 2 * depth * std::tan(camera.fov_y_degrees * 3.14159265358979 / 360);
+        is_orthographic(camera) ? camera.height : 2 * depth * std::tan(glm::radians(camera.fov_y_degrees) / 2);
     const double length = 0.25 * height; // of an arrow across the view, as a share of the picture
     const auto from = projected(camera, picture, point);
     const auto arrow = [&](const glm::dvec3 &direction, ImU32 color, const std::string &name) {

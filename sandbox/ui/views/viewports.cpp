@@ -121,21 +121,24 @@ void show_flip(Session &session, const ViewPainter &painter, const Rect &rect) {
                    right ? "" : "hold Space for B", true);
 }
 
-/// The reference of a side's model, or how far it has been drawn.
-void draw_truth(Session &session, const ViewPainter &painter, bool right, const Rect &rect) {
-    if (const unsigned texture = painter.truth_texture(right); texture != 0) {
+void say_truth_is_awaited(Session &session, const Rect &rect) {
+    draw_text_line(session, "Truth/state", rect, rect.low.y, quiet_text(), "the truth is drawn when you let go", false);
+}
+
+/// The reference of A's model.
+void draw_truth(Session &session, const ViewPainter &painter, const Rect &rect) {
+    if (const unsigned texture = painter.truth_texture(false); texture != 0) {
         draw_picture_part(rect, texture, 0, 1);
     } else {
         ImGui::GetWindowDrawList()->AddRectFilled(rect.low, rect.high, ImGui::GetColorU32(ImGuiCol_FrameBg));
-        draw_text_line(session, "Truth/state", rect, rect.low.y, quiet_text(), "the truth is drawn when you let go",
-                       false);
+        say_truth_is_awaited(session, rect);
     }
-    draw_truth_captions(session, rect, right);
+    draw_truth_captions(session, rect, false);
 }
 
 void show_three_up(Session &session, const ViewPainter &painter, const Arrangement &arrangement) {
     show_side_by_side(session, painter, arrangement);
-    draw_truth(session, painter, false, arrangement.column(2));
+    draw_truth(session, painter, arrangement.column(2));
 }
 
 void show_difference(Session &session, const ViewPainter &painter, const Rect &rect) {
@@ -144,8 +147,7 @@ void show_difference(Session &session, const ViewPainter &painter, const Rect &r
         draw_picture_part(rect, painter.difference_texture(), 0, 1);
         difference_scale(session, rect);
     } else if (of != DifferenceOf::a_b && painter.view(of == DifferenceOf::b_truth).error.empty()) {
-        draw_text_line(session, "Truth/state", rect, rect.low.y, quiet_text(), "the truth is drawn when you let go",
-                       false);
+        say_truth_is_awaited(session, rect);
     } else {
         const std::string &error = painter.view(false).error;
         draw_error(rect, error.empty() ? painter.view(true).error : error, true);
