@@ -53,7 +53,7 @@ const std::vector<Library> libraries = {
     {"[a-z_]+", {}}, // C++'s own
     {"glm/.*", {}},
     {"fmt/.*", {}},
-    {"(unistd|fcntl|poll|termios)\\.h|sys/.*", {}},
+    {"(unistd|fcntl|poll|termios|spawn)\\.h|sys/.*", {}},
     {"glad/.*|EGL/.*", {"render"}},
     {"GLFW/.*", {"render", "ui"}},
     {"imgui.*|backends/imgui.*", {"ui"}},

@@ -1,8 +1,10 @@
 #include "capture/frame_names.h"
 
+#include "capture/sidecar.h"
 #include "image/error.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace sandbox {
 namespace {
@@ -50,6 +52,34 @@ std::string frame_name(std::string_view pattern, int i) {
             pattern);
     }
     return expanded.name;
+}
+
+std::string turntable_text(std::string_view first_frame, const Turntable &turntable) {
+    const nlohmann::ordered_json keys{{"frames", turntable.frames}, {"orbit_degrees", turntable.degrees}};
+    return with_keys(first_frame, keys.dump());
+}
+
+std::optional<Turntable> turntable_of(std::string_view text, std::string_view name) {
+    const auto json = nlohmann::json::parse(text, nullptr, false);
+    if (!json.is_object() || !json.contains("scene") || (!json.contains("frames") && !json.contains("orbit_degrees"))) {
+        return std::nullopt;
+    }
+    const auto frames = json.find("frames"), degrees = json.find("orbit_degrees");
+    if (frames == json.end() || degrees == json.end() || !frames->is_number_integer() || !degrees->is_number()) {
+        throw InputError("{}: expected both frames, a whole number, and orbit_degrees, a number", name);
+    }
+    try {
+        return Turntable{checked_frames(frames->get<int>()), degrees->get<double>()};
+    } catch (const InputError &error) {
+        throw InputError("{}: frames: {}", name, error.what());
+    }
+}
+
+int checked_frames(int frames) {
+    if (frames < 1 || frames > 100000) {
+        throw InputError("expected 1 to 100000, got {}", frames);
+    }
+    return frames;
 }
 
 } // namespace sandbox

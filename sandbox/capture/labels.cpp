@@ -105,12 +105,12 @@ void draw_bar(ByteImage &picture, double text, double left, double top, double w
 
 } // namespace
 
-Strips strips_for(int width, const LabelTexts &texts) {
+Strips strips_for(int width, const LabelTexts &texts, double most_text) {
     Strips strips;
     if (texts.labels.empty() && !texts.scale) {
         return strips;
     }
-    strips.text = std::clamp(width / 50.0, 10.0, 64.0);
+    strips.text = std::min(std::clamp(width / 50.0, 10.0, 64.0), most_text);
     strips.text = texts.scale ? std::min(strips.text, width / scale_width) : strips.text;
     while (strips.text >= smallest_text && !place_labels(strips, texts, width)) {
         strips.text *= 0.95;

@@ -27,8 +27,9 @@ struct Strips {
     std::vector<std::vector<std::string>> lines; ///< of each label
 };
 
-/// For a picture `width` pixels wide. Rows are 0 where that leaves no room for text that can be read.
-Strips strips_for(int width, const LabelTexts &texts);
+/// For a picture `width` pixels wide, in text of at most `most_text` pixels. Rows are 0 where that leaves no room for
+/// text that can be read.
+Strips strips_for(int width, const LabelTexts &texts, double most_text = 64);
 
 /// Writes the labels into the strip above, whose rows are filled.
 void draw_labels(ByteImage &picture, const Strips &strips);

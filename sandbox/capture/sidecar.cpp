@@ -88,6 +88,15 @@ std::string sidecar_text(const Scene &scene, const PictureOptions &options, cons
     return out.dump(2) + "\n";
 }
 
+std::string with_keys(std::string_view sidecar, std::string_view more) {
+    auto json = ordered_json::parse(sidecar);
+    const ordered_json scene = json.at("scene");
+    json.erase("scene");
+    json.update(ordered_json::parse(more));
+    json["scene"] = scene;
+    return json.dump(2) + "\n";
+}
+
 std::optional<PictureOptions> sidecar_options(std::string_view text, std::string_view name) {
     const ordered_json from = ordered_json::parse(text, nullptr, false);
     if (!from.is_object() || !from.contains("scene") || !from.contains("techniques")) {

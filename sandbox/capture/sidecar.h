@@ -24,6 +24,9 @@ std::filesystem::path sidecar_path(const std::filesystem::path &picture);
 /// view, scene.
 std::string sidecar_text(const Scene &scene, const PictureOptions &options, const DrawnBy &by);
 
+/// A sidecar with more keys, a JSON object, before its scene.
+std::string with_keys(std::string_view sidecar, std::string_view more);
+
 /// The options of a sidecar; nothing if `text` is none (a scene file, an OBJ). `name` is used in messages.
 /// Throws InputError if a value is wrong.
 std::optional<PictureOptions> sidecar_options(std::string_view text, std::string_view name);

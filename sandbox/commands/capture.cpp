@@ -1,15 +1,20 @@
 #include "commands/commands.h"
 
 #include "capture/frame_names.h"
+#include "capture/grid.h"
 #include "capture/sidecar.h"
 #include "commands/interrupt.h"
 #include "commands/progress_bar.h"
 #include "commands/session.h"
 #include "image/image_file.h"
 #include "scene/orbit.h"
+#include "scene/scene_setting.h"
 #include "ui/views/painters.h"
 
 #include <cmath>
+#include <fmt/format.h>
+#include <utility>
+#include <vector>
 
 namespace sandbox {
 namespace {
@@ -18,7 +23,9 @@ namespace {
 struct CaptureFlags {
     std::string scene, view;
     std::filesystem::path out;
-    std::optional<Technique> technique, left, right;
+    std::vector<Technique> techniques;
+    std::optional<Technique> left, right;
+    std::optional<Sweep> sweep;
     std::optional<Layout> layout;
     std::optional<Size> size;
     std::optional<Display> display;
@@ -37,7 +44,7 @@ void apply_one_view(const CaptureFlags &flags, PictureOptions &options) {
     }
     options.layout = Layout::single;
     options.flip = FlipSide::none;
-    options.left = options.right = *flags.technique;
+    options.left = options.right = flags.techniques.front();
     options.textbook_left = false;
 }
 
@@ -60,7 +67,10 @@ void apply_two_views(const CaptureFlags &flags, PictureOptions &options) {
 /// The sidecar's options, or the defaults, with what the flags change.
 PictureOptions picture_options(const CaptureFlags &flags) {
     PictureOptions options = sidecar_of(flags.scene).value_or(PictureOptions{});
-    if (flags.technique) {
+    if (flags.techniques.size() > 1 && !flags.sweep) {
+        throw InputError("--technique: one, unless --sweep puts more under each other");
+    }
+    if (!flags.techniques.empty()) {
         apply_one_view(flags, options);
     } else if (flags.left || flags.right || flags.layout) {
         apply_two_views(flags, options);
@@ -95,26 +105,89 @@ void refuse_display_flags(const CaptureFlags &flags) {
     }
 }
 
-/// The number of files; 1 without --frames.
-int frame_count(const CaptureFlags &flags) {
-    const std::string out = flags.out.string();
-    if (flags.frames.has_value() != flags.orbit.has_value()) {
+/// The flags', or the turntable that SCENE is the sidecar of, if --out asks for many files.
+std::optional<Turntable> turntable(const CaptureFlags &flags) {
+    const bool many = is_frame_pattern(flags.out.filename().string());
+    const auto recorded = many && sidecar_of(flags.scene) ? turntable_of(read_file(flags.scene), flags.scene)
+                                                          : std::optional<Turntable>{};
+    if (!recorded && flags.frames.has_value() != flags.orbit.has_value()) {
         throw InputError("--frames N and --orbit DEGREES go together");
     }
-    if (!flags.frames) {
-        if (is_frame_pattern(flags.out.filename().string())) {
-            throw InputError("--out: '{}' is a pattern, which needs --frames N --orbit DEGREES", out);
+    if (!recorded && !flags.frames) {
+        if (many) {
+            throw InputError("--out: '{}' is a pattern, which needs --frames N --orbit DEGREES", flags.out.string());
         }
-        return 1;
+        return std::nullopt;
     }
-    if (*flags.frames < 1 || *flags.frames > 100000) {
-        throw InputError("--frames: expected 1 to 100000, got {}", *flags.frames);
-    }
-    if (!std::isfinite(*flags.orbit)) {
+    Turntable turntable = recorded.value_or(Turntable{});
+    turntable.frames =
+        flags.frames ? with_flag("--frames", [&] { return checked_frames(*flags.frames); }) : turntable.frames;
+    turntable.degrees = flags.orbit.value_or(turntable.degrees);
+    if (!std::isfinite(turntable.degrees)) {
         throw InputError("--orbit: expected a finite number of degrees");
     }
-    with_flag("--out", [&] { return frame_name(out, 0); });
-    return *flags.frames;
+    with_flag("--out", [&] { return frame_name(flags.out.string(), 0); });
+    return turntable;
+}
+
+/// What a grid is not made of, or cannot be.
+void refuse_beside_sweep(const CaptureFlags &flags, bool pfm) {
+    const std::pair<bool, const char *> refused[] = {
+        {flags.left || flags.right || flags.layout,
+         "--left, --right and --layout are for two views; a grid has --technique"},
+        {flags.frames || flags.orbit || is_frame_pattern(flags.out.filename().string()),
+         "a grid is one picture, without --frames"},
+        {flags.no_labels, "a grid has labels"},
+        {pfm, "a grid is for a .png"}};
+    for (const auto &[given, why] : refused) {
+        if (given) {
+            throw InputError("--sweep: {}", why);
+        }
+    }
+}
+
+/// The flags', or the grid that SCENE is the sidecar of, unless the flags ask for something else.
+std::optional<Grid> asked_grid(const CaptureFlags &flags, const PictureOptions &options, bool pfm) {
+    if (flags.sweep) {
+        refuse_beside_sweep(flags, pfm);
+        return Grid{flags.techniques.empty() ? std::vector{options.left} : flags.techniques, *flags.sweep};
+    }
+    const bool other = pfm || !flags.techniques.empty() || flags.left || flags.right || flags.layout || flags.frames;
+    return !other && sidecar_of(flags.scene) ? grid_of(read_file(flags.scene), flags.scene) : std::nullopt;
+}
+
+/// One technique's cell of a grid.
+PictureOptions cell_options(PictureOptions options, const Technique &technique) {
+    options.layout = Layout::single;
+    options.flip = FlipSide::none;
+    options.textbook_left = false;
+    options.left = options.right = technique;
+    options.labels = false;
+    return options;
+}
+
+/// Techniques down, values across; each cell has the options' size.
+ByteImage draw_grid(const Scene &scene, const Grid &grid, const PictureOptions &options, const Painters &painters,
+                    ProgressBar &bar) {
+    std::vector<Scene> scenes;
+    std::vector<std::string> rows, columns;
+    for (const std::string &value : grid.sweep.values) {
+        const std::string setting = grid.sweep.path + "=" + value;
+        scenes.push_back(with_settings(scene, {&setting, 1}, "--sweep", std::filesystem::current_path()));
+        columns.push_back(fmt::format("{} = {}", grid.sweep.path.substr(grid.sweep.path.rfind('.') + 1), value));
+    }
+    for (const Technique &technique : grid.techniques) {
+        rows.push_back(title_of(technique));
+    }
+    const double cells = static_cast<double>(rows.size() * columns.size());
+    return with_flag("--sweep", [&] {
+        return grid_picture(rows, columns, options.size, [&](std::size_t row, std::size_t column) {
+            const PictureOptions cell = cell_options(options, grid.techniques[row]);
+            ByteImage drawn = show_picture(scenes[column], cell, painters);
+            bar.report(static_cast<double>(row * columns.size() + column + 1) / cells);
+            return drawn;
+        });
+    });
 }
 
 int run_capture(const CaptureFlags &flags, const CommonOptions &common) {
@@ -122,8 +195,10 @@ int run_capture(const CaptureFlags &flags, const CommonOptions &common) {
     if (pfm) {
         refuse_display_flags(flags);
     }
-    const int frames = frame_count(flags);
     PictureOptions options = picture_options(flags);
+    const std::optional<Grid> grid = asked_grid(flags, options, pfm);
+    const std::optional<Turntable> turn = turntable(flags);
+    options = grid ? cell_options(options, grid->techniques.front()) : options;
     options.labels = options.labels && !pfm;
     options.wireframe = options.wireframe && !pfm;
     Scene scene = open_scene(common, flags.scene, flags.view);
@@ -133,18 +208,22 @@ int run_capture(const CaptureFlags &flags, const CommonOptions &common) {
     const DrawnBy by{session.context().renderer(), session.context().version()};
     const Painters painters = painters_of(session.renderer(), options.wireframe);
     if (options.layout == Layout::single || options.textbook_left) {
-        note_no_effect(scene, options.textbook_left ? options.right : options.left);
+        note_no_effect(scene, options.textbook_left || options.flip == FlipSide::b ? options.right : options.left);
     } else {
         note_no_effect(scene, options.left, options.right, session.renderer().resources().load(scene));
     }
     ProgressBar bar("capture " + flags.out.filename().string());
+    std::string sidecar = sidecar_text(scene, options, by);
+    sidecar = grid ? grid_text(sidecar, *grid) : turn ? turntable_text(sidecar, *turn) : sidecar;
+    const int frames = turn ? turn->frames : 1;
     for (int i = 0; i < frames; ++i) {
-        scene.camera = orbit_camera(camera, orbit_degrees(flags.orbit.value_or(0), i, frames));
-        const std::filesystem::path path(flags.frames ? frame_name(flags.out.string(), i) : flags.out.string());
-        write_output(path, pfm ? encode_pfm(draw_picture(scene, options, painters))
-                               : encode_png(show_picture(scene, options, painters)));
-        if (!flags.no_sidecar) {
-            write_output(sidecar_path(path), sidecar_text(scene, options, by));
+        scene.camera = turn ? orbit_camera(camera, orbit_degrees(turn->degrees, i, frames)) : camera;
+        const std::filesystem::path path(turn ? frame_name(flags.out.string(), i) : flags.out.string());
+        write_output(path, grid  ? encode_png(draw_grid(scene, *grid, options, painters, bar))
+                           : pfm ? encode_pfm(draw_picture(scene, options, painters))
+                                 : encode_png(show_picture(scene, options, painters)));
+        if (i == 0 && !flags.no_sidecar) {
+            write_output(sidecar_path(flags.out), sidecar);
         }
         bar.report((i + 1.0) / frames);
     }
@@ -163,8 +242,17 @@ void add_capture(CLI::App &app, CommonOptions &common, Run &run) {
     add_value(command, "--out", "FILE", flags->out,
               "FILE.png (8 bit) or FILE.pfm (linear RGB in float32, bottom row first)")
         ->required();
-    add_parsed(command, "--technique", "T", flags->technique, parse_technique,
-               "Technique of a single view [per-pixel/blinn-phong]");
+    const auto add_techniques = [flags](const std::vector<std::string> &texts) {
+        for (const std::string &text : texts) {
+            flags->techniques.push_back(with_flag("--technique", [&] { return parse_technique(text); }));
+        }
+    };
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--technique", add_techniques,
+            "Technique of a single view [per-pixel/blinn-phong]; repeatable with --sweep")
+        ->type_name("T")
+        ->allow_extra_args(false);
     add_parsed(command, "--size", "WxH", flags->size, parse_size, "Size of the whole picture [1280x720]");
     add_view_name(command, flags->view);
     add_parsed(command, "--display", "linear|srgb", flags->display, parse_display, "Transfer curve of a PNG [linear]");
@@ -183,8 +271,12 @@ void add_capture(CLI::App &app, CommonOptions &common, Run &run) {
     add_value(command, "--gain", "G", flags->gain, "Factor on a difference in a PNG [1]");
     add_parsed(command, "--difference-of", "a-b|a-reference|b-reference", flags->difference_of, parse_difference_of,
                "The two pictures of a difference; a reference is of that side's model [a-b]");
+    command.option_defaults()->group("Grid");
+    add_parsed(command, "--sweep", "PATH=v1,v2,...", flags->sweep, parse_sweep,
+               "A labelled grid: techniques down, values of a setting across, each cell --size; at most 64 cells");
     command.option_defaults()->group("Turntable");
-    add_value(command, "--frames", "N", flags->frames, "Number of frames; --out must contain %04d");
+    add_value(command, "--frames", "N", flags->frames,
+              "Number of frames; --out must contain %04d, and its sidecar is of all frames");
     add_value(command, "--orbit", "DEG", flags->orbit,
               "Total turn in degrees, about the target and the up axis; frame k is turned by DEG k/N");
     command.footer(

@@ -64,6 +64,8 @@ void switch_display(Session &s) {
     s.document.display = s.document.display == Display::linear ? Display::srgb : Display::linear;
 }
 void ask_for_capture(Session &s) { s.requests.capture = true; }
+void ask_for_window_capture(Session &s) { s.requests.capture_window = true; }
+void ask_for_folder(Session &s) { s.requests.open_folder = true; }
 void first_scale(Session &s) { s.appearance.scale = 1; }
 void close_key_list(Session &s) { s.appearance.key_list = false; }
 
@@ -96,6 +98,7 @@ std::vector<Action> make_actions() {
         {keys, plain, GLFW_KEY_W, "W", "wireframe", "", switch_wireframe},
         {keys, plain, GLFW_KEY_D, "D", "display linear or sRGB", "", switch_display},
         {keys, plain, GLFW_KEY_F12, "F12", "capture the views as a PNG", "", ask_for_capture},
+        {keys, shift, GLFW_KEY_F12, "Shift+F12", "capture the whole window", "", ask_for_window_capture},
         switch_flag(GLFW_KEY_TAB, "Tab", "panels", &Appearance::panels),
         switch_flag(GLFW_KEY_F11, "F11", "full screen", &Appearance::full_screen),
         switch_flag(GLFW_KEY_T, "T", "dark", &Appearance::dark),
@@ -111,6 +114,7 @@ std::vector<Action> make_actions() {
          switch_masks, shows_masks},
         {window, plain, GLFW_KEY_Z, "Z", "loupe", "magnifies the pixels under the mouse in every picture", switch_loupe,
          shows_loupe},
+        {window, plain, no_key, "", "open the folder of captures", "", ask_for_folder},
         {window, control, GLFW_KEY_Q, "Ctrl+Q", "quit", "", [](Session &s) { s.requests.quit = true; }},
     };
     for (std::size_t tab = 0; tab < std::size(bottom_tabs); ++tab) {

@@ -1,5 +1,6 @@
 #include "ui/file_dialog.h"
 
+#include "ui/desktop.h"
 #include "ui/jobs/background_job.h"
 #include "ui/jobs/drawing_job.h"
 #include "ui/widgets/theme.h"
@@ -11,24 +12,11 @@
 #include <filesystem>
 #include <imgui.h>
 #include <imgui_stdlib.h>
-#include <sstream>
-#include <unistd.h>
 #include <utility>
 
 namespace sandbox {
 
 namespace {
-
-bool is_installed(const std::string &program) {
-    const char *path = std::getenv("PATH");
-    std::istringstream folders(path != nullptr ? path : "");
-    for (std::string folder; std::getline(folders, folder, ':');) {
-        if (access((std::filesystem::path(folder) / program).c_str(), X_OK) == 0) {
-            return true;
-        }
-    }
-    return false;
-}
 
 /// What a program prints, without the line's end; empty if it fails.
 std::string output_of(const std::string &command) {

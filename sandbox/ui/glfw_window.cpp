@@ -76,6 +76,7 @@ void GlfwWindow::begin_gui() { ImGui_ImplGlfw_InitForOpenGL(window_, true); } //
 void GlfwWindow::end_gui() { ImGui_ImplGlfw_Shutdown(); }
 void GlfwWindow::feed_gui() { ImGui_ImplGlfw_NewFrame(); }
 
+double GlfwWindow::seconds() const { return glfwGetTime(); }
 void GlfwWindow::present() { glfwSwapBuffers(window_); }
 
 void GlfwWindow::install_callbacks(GLFWwindow *window) {

@@ -23,6 +23,7 @@ class GlfwWindow final : public Host {
     [[nodiscard]] bool space_held() const override;
     [[nodiscard]] Size framebuffer_size() const override;
     [[nodiscard]] float content_scale() const override;
+    [[nodiscard]] double seconds() const override;
     void present() override;
     void set_title(const std::string &title) override;
     void set_full_screen(bool on) override;

@@ -45,6 +45,8 @@ class Host {
     [[nodiscard]] virtual unsigned framebuffer() const { return 0; }
     /// The screen's own magnification: 2 on a dense one.
     [[nodiscard]] virtual float content_scale() const { return 1; }
+    /// Since some moment; a script's clock goes on with its frames.
+    [[nodiscard]] virtual double seconds() const = 0;
     /// Shows the frame that has been drawn.
     virtual void present() = 0;
     virtual void set_title(const std::string &) {}

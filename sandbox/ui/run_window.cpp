@@ -3,6 +3,8 @@
 #include "ui/glfw_window.h"
 
 #include <GLFW/glfw3.h>
+#include <algorithm>
+#include <cmath>
 
 namespace sandbox {
 
@@ -12,10 +14,11 @@ constexpr double shader_poll_seconds = 0.5;
 
 /// No event, no frame.
 void wait_for_events(const Window &window, bool polls_shaders) {
-    if (window.unsettled()) {
+    const double longest = std::min(window.seconds_left(), polls_shaders ? shader_poll_seconds : INFINITY);
+    if (window.unsettled() || longest <= 0) {
         glfwPollEvents();
-    } else if (polls_shaders) {
-        glfwWaitEventsTimeout(shader_poll_seconds);
+    } else if (std::isfinite(longest)) {
+        glfwWaitEventsTimeout(longest);
     } else {
         glfwWaitEvents();
     }

@@ -316,7 +316,8 @@ void ScriptPlayer::random_action(unsigned dice) {
     }
     std::vector<std::string> names;
     for (const auto &[name, widget] : session.widgets.all()) {
-        if (widget.visible() && !name.ends_with("Export") && name != "Capture" && !name.ends_with("quit")) {
+        if (widget.visible() && !name.ends_with("Export") && name != "Capture" && !name.ends_with("captures") &&
+            !name.ends_with("quit")) {
             names.push_back(name);
         }
     }

@@ -53,6 +53,7 @@ void ScriptedHost::feed_gui() {
     io.DisplaySize = {static_cast<float>(size.width), static_cast<float>(size.height)};
     io.DisplayFramebufferScale = {1, 1};
     io.DeltaTime = frame_seconds_;
+    seconds_ += static_cast<double>(frame_seconds_);
     io.MousePos = {mouse_x_, mouse_y_};
     std::copy(std::begin(buttons_), std::end(buttons_), io.MouseDown);
     io.MouseWheel = std::exchange(wheel_, 0.0F);

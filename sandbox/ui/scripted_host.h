@@ -23,6 +23,7 @@ class ScriptedHost final : public Host {
     [[nodiscard]] bool space_held() const override;
     [[nodiscard]] Size framebuffer_size() const override { return surface_->size(); }
     [[nodiscard]] unsigned framebuffer() const override { return surface_->framebuffer(); }
+    [[nodiscard]] double seconds() const override { return seconds_; }
     void present() override {}
 
     void resize(Size size);
@@ -55,6 +56,7 @@ class ScriptedHost final : public Host {
     int mods_ = 0;                 ///< of the key that is pressed
     std::string typed_;
     float frame_seconds_ = 0.1F;
+    double seconds_ = 0; ///< of all frames
 };
 
 } // namespace sandbox

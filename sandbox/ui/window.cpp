@@ -4,6 +4,7 @@
 #include "image/image_file.h"
 #include "render/context.h"
 #include "scene/scene_file.h"
+#include "ui/desktop.h"
 #include "ui/frame.h"
 #include "ui/keys.h"
 #include "ui/session/written_files.h"
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <imgui.h>
+#include <utility>
 
 namespace sandbox {
 
@@ -92,6 +94,11 @@ void Window::take_input() {
     if (!arrivals.dropped.empty()) {
         session_.requests.open = arrivals.dropped.front();
     }
+    const bool answered = !arrivals.keys.empty() || !arrivals.dropped.empty() || ImGui::IsAnyMouseDown();
+    if (notice_.shown() && (answered || seconds_left() <= 0)) {
+        notice_.clear();
+        frames_left_ = settling_frames;
+    }
     session_.view.show_right = host_.space_held() && !typing && !ImGui::GetIO().NavVisible; // else Space presses
 }
 
@@ -112,8 +119,12 @@ void Window::draw() {
     finder_.update(session_, painter_);
     draw_frame(session_, painter_, bottom_);
     dialog_.draw(session_, settings_.recent);
+    notice_.draw();
     begin_window_surface(host_.framebuffer(), size);
     gui_.end_frame();
+    if (std::exchange(session_.requests.capture_window, false)) {
+        capture_window(size); // before the frame is given away
+    }
     host_.present();
 }
 
@@ -140,6 +151,9 @@ void Window::answer_requests() {
     }
     if (requests.capture) {
         capture();
+    }
+    if (requests.open_folder) {
+        attempt(session_, "", [&] { open_on_desktop(capture_folder()); });
     }
     Requests nothing;
     nothing.quit = requests.quit;
@@ -219,9 +233,26 @@ void Window::load(const Scene &scene, const std::string &message) {
 }
 
 void Window::capture() {
+    attempt(session_, "Not captured: ", [&] { say_captured(capture_views(session_, painter_, drawn_by_).string()); });
+}
+
+/// The frame that has just been drawn.
+void Window::capture_window(Size size) {
     attempt(session_, "Not captured: ", [&] {
-        session_.message = {"Captured to " + capture_views(session_, painter_, drawn_by_).string(), false};
+        const auto path =
+            std::filesystem::absolute(free_name(capture_folder(), session_.document.opened->name + "-window"));
+        write_file(path, encode_png(read_window_surface(host_.framebuffer(), size)));
+        say_captured(path.string());
     });
+    frames_left_ = settling_frames;
+}
+
+void Window::say_captured(const std::string &path) {
+    session_.message = {"Captured to " + path, false};
+    ImGui::SetClipboardText(path.c_str());
+    notice_.say(std::filesystem::path(path).filename().string() + " is written; its path is on the clipboard." +
+                    (session_.appearance.panels ? "" : " Tab shows the panels."),
+                host_.seconds());
 }
 
 } // namespace sandbox

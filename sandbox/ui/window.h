@@ -5,6 +5,7 @@
 #include "ui/file_dialog.h"
 #include "ui/gui.h"
 #include "ui/host.h"
+#include "ui/notice.h"
 #include "ui/session/open_file.h"
 #include "ui/session/settings.h"
 #include "ui/side_finder.h"
@@ -40,6 +41,8 @@ class Window {
     void step();
     /// Is another frame needed though nothing arrives?
     [[nodiscard]] bool unsettled() const { return frames_left_ > 0; }
+    /// Until a frame is needed though nothing arrives; infinite: none.
+    [[nodiscard]] double seconds_left() const { return notice_.seconds_left(host_.seconds()); }
     /// Does work in the background go on, whose result will be shown?
     [[nodiscard]] bool busy() const;
     /// Keeps what the settings remember.
@@ -60,6 +63,8 @@ class Window {
     void take_opened(const OpenedFile &file);
     void use_clipboard(const Requests &requests);
     void keep_settings();
+    void capture_window(Size size);
+    void say_captured(const std::string &path);
 
     Assets assets_;
     bool polls_shaders_;
@@ -74,6 +79,7 @@ class Window {
     std::filesystem::path settings_file_;
     FileDialog dialog_;
     std::string shown_title_;
+    Notice notice_;
     int frames_left_;
 };
 

@@ -34,5 +34,15 @@ TEST(FramePattern, IsSeenInAName) {
     EXPECT_FALSE(is_frame_pattern("%%d.png"));
 }
 
+TEST(Turntable, ItsSidecarHoldsIt) {
+    const std::string text = turntable_text(R"({"techniques": ["flat/phong"], "scene": {}})", {24, 360});
+    EXPECT_EQ(turntable_of(text, "t.json"), (Turntable{24, 360}));
+    EXPECT_FALSE(turntable_of(R"({"techniques": ["flat/phong"], "scene": {}})", "t.json"));
+    for (const char *wrong : {R"({"scene": {}, "frames": 3})", R"({"scene": {}, "frames": 0, "orbit_degrees": 3})",
+                              R"({"scene": {}, "frames": "3", "orbit_degrees": 3})"}) {
+        EXPECT_THROW(turntable_of(wrong, "t.json"), InputError) << wrong;
+    }
+}
+
 } // namespace
 } // namespace sandbox

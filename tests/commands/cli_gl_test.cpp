@@ -86,15 +86,49 @@ TEST_F(CliGl, FlagsOverrideASidecar) {
     EXPECT_TRUE(same_bytes("one.png", "b.png"));
 }
 
-TEST_F(CliGl, TurntableFramesAreNumberedAndEachHasItsCamera) {
+TEST_F(CliGl, TurntableFramesAreNumberedAndHaveOneSidecar) {
     ASSERT_EQ(capture("turn_%03d.png", {"--frames", "3", "--orbit", "360"}).exit_code, 0);
-    EXPECT_EQ(folder.names(), (Arguments{"turn_000.png", "turn_000.png.json", "turn_001.png", "turn_001.png.json",
-                                         "turn_002.png", "turn_002.png.json"}));
+    EXPECT_EQ(folder.names(), (Arguments{"turn_%03d.png.json", "turn_000.png", "turn_001.png", "turn_002.png"}));
     ASSERT_EQ(capture("still.png").exit_code, 0);
     EXPECT_TRUE(same_bytes("turn_000.png", "still.png"));
     EXPECT_FALSE(same_bytes("turn_001.png", "turn_000.png"));
-    ASSERT_EQ(run_sandbox({"capture", folder.file("turn_002.png.json"), "--out", folder.file("c.png")}).exit_code, 0);
-    EXPECT_TRUE(same_bytes("turn_002.png", "c.png"));
+    const auto again = [&](const std::string &out, Arguments more = {}) {
+        more.insert(more.begin(), {"capture", folder.file("turn_%03d.png.json"), "--out", folder.file(out)});
+        return run_sandbox(more);
+    };
+    EXPECT_EQ(again("again_%d.png").exit_code, 0);
+    for (const char *frame : {"0", "1", "2"}) {
+        EXPECT_TRUE(same_bytes(std::string("turn_00") + frame + ".png", std::string("again_") + frame + ".png"));
+    }
+    EXPECT_TRUE(same_bytes("turn_%03d.png.json", "again_%d.png.json"));
+    EXPECT_EQ(again("first.png").exit_code, 0) << "one picture of it is the first";
+    EXPECT_TRUE(same_bytes("turn_000.png", "first.png"));
+    EXPECT_EQ(again("half_%d.png", {"--orbit", "720"}).exit_code, 0);
+    EXPECT_FALSE(same_bytes("turn_001.png", "half_1.png"));
+}
+
+TEST_F(CliGl, AGridSweepsASettingUnderTechniques) {
+    const Arguments grid{"--technique",     "per-vertex/phong", "--technique",
+                         "per-pixel/phong", "--sweep",          "objects[0].material.diffuse=[1,0,0],[0,0,1],[0,1,0]"};
+    const ProcessResult result = capture("grid.png", grid);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(folder.names(), (Arguments{"grid.png", "grid.png.json"}));
+    const std::string png = folder.read("grid.png"); // the width stands in bytes 16 to 19, the height in 20 to 23
+    EXPECT_EQ(static_cast<unsigned char>(png.at(19)), 3 * 64);
+    EXPECT_GE(static_cast<unsigned char>(png.at(23)), 2 * 48);
+    EXPECT_EQ(run_sandbox({"capture", folder.file("grid.png.json"), "--out", folder.file("again.png")}).exit_code, 0);
+    EXPECT_TRUE(same_bytes("grid.png", "again.png"));
+    EXPECT_TRUE(same_bytes("grid.png.json", "again.png.json"));
+    const auto refused = [&](const Arguments &more, const std::string &why) {
+        const ProcessResult wrong = capture("wrong.png", more);
+        EXPECT_EQ(wrong.exit_code, 2);
+        EXPECT_NE(wrong.err.find(why), std::string::npos) << wrong.err;
+    };
+    refused({"--sweep", "blinn_exponent_scale"}, "--sweep: expected PATH=v1,v2");
+    refused({"--sweep", "blinn_exponent_scale=1,-2"}, "--sweep: blinn_exponent_scale: expected a number > 0, got -2");
+    refused({"--sweep", "glow=1"}, "glow");
+    refused({"--sweep", "blinn_exponent_scale=1,2", "--frames", "2", "--orbit", "9"}, "one picture");
+    refused({"--technique", "flat/phong", "--technique", "flat/lambert"}, "--sweep");
 }
 
 TEST_F(CliGl, TimePrintsJsonLines) {

@@ -1,6 +1,9 @@
 #include "commands/gl_command_test.h"
 
+#include <chrono>
+#include <filesystem>
 #include <sstream>
+#include <thread>
 
 /// The window, worked by scripts: `view --script` of the built program, which needs no display.
 namespace sandbox {
@@ -172,6 +175,42 @@ TEST_F(ScriptGl, ACaptureRestoresTheView) {
         run_sandbox({"capture", folder.file("three-point-lights-001.png.json"), "--out", folder.file("again.png")});
     EXPECT_EQ(again.exit_code, 0) << again.err;
     expect_same("again.png", "three-point-lights-001.png");
+}
+
+/// The message stands until the next key or click, also with the panels hidden, and is in no picture of the views.
+TEST_F(ScriptGl, ACaptureIsSaidOnThePicture) {
+    EXPECT_PLAYED(play("key Tab\nshot plain.png\nkey F12\nshot said.png\nkey F12\nkey Shift+Tab\nshot gone.png\n"
+                       "key Shift+F12\n"));
+    expect_other("plain.png", "said.png");
+    expect_same("plain.png", "gone.png");
+    expect_same("three-point-lights-001.png", "three-point-lights-002.png");
+    expect_same("plain.png", "three-point-lights-window-001.png");
+}
+
+/// 4 seconds: 40 frames of a script, of which each move of the mouse takes three.
+TEST_F(ScriptGl, ACapturesMessageExpires) {
+    std::string moves;
+    for (int i = 0; i < 14; ++i) {
+        moves += "hover View/description\nhover Status\n";
+    }
+    EXPECT_PLAYED(play("hover Status\nkey F12\nshot said.png\nhover View/description\nhover Status\nshot still.png\n" +
+                       moves + "shot gone.png\n"));
+    expect_same("said.png", "still.png");
+    expect_other("said.png", "gone.png");
+}
+
+TEST_F(ScriptGl, TheFolderOfCapturesOpens) {
+    const std::string tool = folder.file("xdg-open");
+    folder.write("xdg-open", "#!/bin/sh\nprintf '%s' \"$1\" > opened.part && mv opened.part opened\n");
+    std::filesystem::permissions(tool, std::filesystem::perms::owner_all);
+    folder.write("open.txt", "click Window\nclick \"Window/open the folder of captures\"\n");
+    const ProcessResult result = run_sandbox({"view", "--script", "open.txt", "--no-times"},
+                                             "cd " + folder.path().string() + " && PATH=.:$PATH");
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    for (int i = 0; i < 100 && !std::filesystem::exists(folder.file("opened")); ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(20)); // it is not waited for
+    }
+    EXPECT_EQ(folder.read("opened"), std::filesystem::canonical(folder.path()).string());
 }
 
 TEST_F(ScriptGl, AWipesSidecarRestoresItsDivider) {

@@ -62,7 +62,9 @@ struct StatusLine {
 /// What the panels ask of the window, which answers after the frame.
 struct Requests {
     bool quit = false;
-    bool capture = false;
+    bool capture = false;                         ///< the views
+    bool capture_window = false;                  ///< all that the window shows
+    bool open_folder = false;                     ///< of captures
     std::optional<std::string> open;              ///< a built-in name or a path
     std::optional<std::string> save;              ///< a path for the scene
     bool ask_open = false, ask_save = false;      ///< for a path

@@ -1,0 +1,147 @@
+#include "capture/grid.h"
+
+#include "capture/labels.h"
+#include "capture/sidecar.h"
+#include "image/error.h"
+#include "image/picture_size.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace sandbox {
+namespace {
+
+constexpr std::string_view expected = "expected PATH=v1,v2,... such as objects[0].material.shininess=8,32,128";
+
+void paste(ByteImage &onto, const ByteImage &picture, int left, int top) {
+    for (int y = 0; y < picture.size.height; ++y) {
+        const auto row = picture.rgb.begin() + std::ptrdiff_t{3} * y * picture.size.width;
+        std::copy_n(row, std::ptrdiff_t{3} * picture.size.width,
+                    onto.rgb.begin() + std::ptrdiff_t{3} * ((top + y) * std::ptrdiff_t{onto.size.width} + left));
+    }
+}
+
+ByteImage black(Size size) {
+    return {size, std::vector<std::uint8_t>(3 * static_cast<std::size_t>(size.width) *
+                                            static_cast<std::size_t>(size.height))};
+}
+
+/// The strip above the columns, then one for each row, all in the largest text in which every label is whole.
+std::vector<Strips> strips_of(std::span<const std::string> rows, std::span<const std::string> columns, Size cell) {
+    const int width = cell.width * static_cast<int>(columns.size());
+    LabelTexts values{.labels = {columns.begin(), columns.end()}, .splits = {}};
+    for (std::size_t i = 1; i < columns.size(); ++i) {
+        values.splits.push_back(static_cast<int>(i) * cell.width);
+    }
+    std::vector<LabelTexts> texts{values};
+    for (const std::string &row : rows) {
+        texts.push_back({.labels = {row}, .splits = {}});
+    }
+    double text = 64;
+    std::vector<Strips> strips;
+    for (int pass = 0; pass < 2; ++pass) { // the second in the size that the first found
+        strips.clear();
+        for (const LabelTexts &of : texts) {
+            strips.push_back(strips_for(width, of, text));
+        }
+        text = std::ranges::min(strips, {}, &Strips::text).text;
+    }
+    return strips;
+}
+
+} // namespace
+
+Sweep parse_sweep(std::string_view text) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string_view::npos || equals == 0) {
+        throw InputError("{}, got '{}'", expected, text);
+    }
+    Sweep sweep{std::string(text.substr(0, equals)), {""}};
+    int depth = 0;
+    for (const char c : text.substr(equals + 1)) {
+        depth += c == '[' || c == '{' ? 1 : c == ']' || c == '}' ? -1 : 0;
+        if (c == ',' && depth == 0) {
+            sweep.values.emplace_back();
+        } else {
+            sweep.values.back() += c;
+        }
+    }
+    if (depth != 0) {
+        throw InputError("{}, got a bracket without its other half in '{}'", expected, text);
+    }
+    if (std::ranges::any_of(sweep.values, &std::string::empty)) {
+        throw InputError("{}, got an empty value in '{}'", expected, text);
+    }
+    return sweep;
+}
+
+std::string grid_text(std::string_view cell, const Grid &grid) {
+    auto rows = nlohmann::ordered_json::array();
+    for (const Technique &technique : grid.techniques) {
+        rows.push_back(to_string(technique));
+    }
+    const std::string sweep = fmt::format("{}={}", grid.sweep.path, fmt::join(grid.sweep.values, ","));
+    return with_keys(cell, nlohmann::ordered_json{{"rows", rows}, {"sweep", sweep}}.dump());
+}
+
+std::optional<Grid> grid_of(std::string_view text, std::string_view name) {
+    const auto json = nlohmann::json::parse(text, nullptr, false);
+    if (!json.is_object() || !json.contains("scene") || !json.contains("sweep")) {
+        return std::nullopt;
+    }
+    try {
+        Grid grid{{}, parse_sweep(json.at("sweep").get<std::string>())};
+        for (const std::string &row : json.at("rows").get<std::vector<std::string>>()) {
+            grid.techniques.push_back(parse_technique(row));
+        }
+        if (grid.techniques.empty()) {
+            throw InputError("expected at least one technique");
+        }
+        return grid;
+    } catch (const InputError &error) {
+        throw InputError("{}: the grid's rows and sweep: {}", name, error.what());
+    } catch (const nlohmann::json::exception &) {
+        throw InputError("{}: expected both rows, a list of techniques, and sweep, a text", name);
+    }
+}
+
+ByteImage grid_picture(std::span<const std::string> rows, std::span<const std::string> columns, Size cell,
+                       const DrawCell &draw) {
+    if (rows.empty() || columns.empty() || rows.size() * columns.size() > most_cells) {
+        throw InputError("expected 1 to {} cells, got {} x {}", most_cells, rows.size(), columns.size());
+    }
+    const std::vector<Strips> strips = strips_of(rows, columns, cell);
+    Size size{cell.width * static_cast<int>(columns.size()), 0};
+    for (const Strips &strip : strips) {
+        size.height += strip.above;
+    }
+    size.height += cell.height * static_cast<int>(rows.size());
+    try {
+        check_size(size);
+    } catch (const InputError &) {
+        throw InputError("the grid would have {}x{} pixels, too many: ask for smaller cells", size.width, size.height);
+    }
+    ByteImage picture = black(size);
+    const auto add_strip = [&](const Strips &strip, int top) {
+        ByteImage part = black({size.width, strip.above});
+        draw_labels(part, strip);
+        paste(picture, part, 0, top);
+        return top + strip.above;
+    };
+    int top = add_strip(strips[0], 0);
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+        top = add_strip(strips[row + 1], top);
+        for (std::size_t column = 0; column < columns.size(); ++column) {
+            paste(picture, draw(row, column), static_cast<int>(column) * cell.width, top);
+        }
+        for (std::size_t column = 1; column < columns.size(); ++column) {
+            draw_divider(picture, static_cast<int>(column) * cell.width, top, cell.height);
+        }
+        top += cell.height;
+    }
+    return picture;
+}
+
+} // namespace sandbox

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "image/image.h"
+#include "shading/technique.h"
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Many pictures of one scene in one: techniques down, values of a setting across.
+namespace sandbox {
+
+constexpr std::size_t most_cells = 64;
+
+/// A setting and the values that it takes in turn.
+struct Sweep {
+    std::string path; ///< "objects[0].material.shininess"
+    std::vector<std::string> values;
+    bool operator==(const Sweep &) const = default;
+};
+/// "PATH=v1,v2,...": a comma within [] or {} belongs to its value. Throws InputError saying what was expected.
+Sweep parse_sweep(std::string_view text);
+
+struct Grid {
+    std::vector<Technique> techniques; ///< from the top
+    Sweep sweep;
+    bool operator==(const Grid &) const = default;
+};
+/// The sidecar of a grid: that of one cell (sidecar_text()) with the keys rows, techniques, and sweep,
+/// "PATH=v1,v2,...".
+std::string grid_text(std::string_view cell, const Grid &grid);
+/// The grid of a sidecar; nothing if `text` is of one picture, or no sidecar. Throws InputError if a key is wrong.
+std::optional<Grid> grid_of(std::string_view text, std::string_view name);
+
+/// A picture for row and column, as large as every other.
+using DrawCell = std::function<ByteImage(std::size_t row, std::size_t column)>;
+/// The cells, each `cell` large, under a strip with `columns` and each row under one with its name. Throws InputError
+/// if there are none or more than most_cells, or if they are too large together.
+ByteImage grid_picture(std::span<const std::string> rows, std::span<const std::string> columns, Size cell,
+                       const DrawCell &draw);
+
+} // namespace sandbox
