@@ -8,6 +8,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <optional>
 
 namespace sandbox::reference {
@@ -19,6 +20,7 @@ constexpr double negligible_noise = 1e-5; ///< a colour's change by rounding tha
 constexpr double far_from_a_branch = 0.1; ///< N.L and cosines change less over edge_width
 constexpr double steep_exponent = 0.5;    ///< f^n with a smaller n leaves 0 like a jump
 constexpr double short_vector = 0.25;     ///< float32 rounds it at least four times as coarsely as a unit vector
+constexpr double blurred_angle = 1e-3;    ///< radians: a rounding of a small angle's cosine
 
 double largest(const glm::dvec3 &v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
@@ -36,7 +38,23 @@ double spread(const Setup &setup, const LightSetup &light, const glm::dvec3 &pos
     return lengths_of(setup, light, position) / std::max(d, 1e-300);
 }
 
+/// The angle between two unit vectors, exact for small ones, too.
+double angle_between(const glm::dvec3 &a, const glm::dvec3 &b) {
+    return 2 * std::asin(std::min(glm::length(a - b) / 2, 1.0));
+}
+
+/// Of a unit vector with any of these directions, give or take `slack` radians; 0 where none is within 90 degrees.
+double largest_cosine(const glm::dvec3 &v, const Directions &directions, double slack) {
+    const double angle = std::max(angle_between(v, directions.axis) - directions.angle - slack, 0.0);
+    return std::max(std::cos(angle), 0.0);
+}
+
 } // namespace
+
+Directions directions_to(const glm::dvec3 &middle, double radius) {
+    const double distance = glm::length(middle);
+    return distance > radius ? Directions{unit(middle), std::asin(radius / distance)} : Directions{};
+}
 
 /// The branches at one point. Its neighbours are worked out only where a branch is close.
 class Branches {
@@ -78,7 +96,8 @@ class Branches {
         const LightSetup &light = setup_.lights[i];
         const LightVectors vectors = sampler_.vectors(here_, i);
         if (direction_is_rounding(setup_, light, here_.position)) {
-            return doubt_direction(i, attenuation_bound(light, vectors.d));
+            const auto [length, radius] = lost_direction(setup_, light, here_.position);
+            return doubt_direction(i, attenuation_bound(light, vectors.d), directions_to(length * vectors.l, radius));
         }
         const bool short_normal = !sampler_.keeps_normal_lengths() && here_.normal_length < short_vector;
         if (short_normal || std::min(vectors.l_length, vectors.highlight_length) < short_vector) {
@@ -188,14 +207,27 @@ class Branches {
         return has_position(light.light) ? attenuation(light.light.attenuation, nearest) : 1;
     }
 
-    /// L may point anywhere: all that depends on it may have any value.
-    void doubt_direction(std::size_t i, double reach) {
+    /// L may be any of these, R or H any of those: what depends on them may have any value that the cone, the side that
+    /// is lit and the highlight's width let pass.
+    void doubt_direction(std::size_t i, double reach, const Directions &to_light, const Directions &highlight = {}) {
         const LightSetup &light = setup_.lights[i];
-        const Amounts amount = amounts(i, reach, 1);
-        const bool ambient = setup_.technique.ambient == AmbientWhere::where_lit ||
-                             (light.light.attenuate_ambient && fades(light.light));
-        doubts_.rounding.body += amount.diffuse + (ambient ? amount.ambient : glm::dvec3(0));
-        doubts_.rounding.highlight += amount.highlight;
+        const double slack = blurred_angle + 2 * rounding * (1 / here_.normal_length + excess(here_.view_length));
+        const Directions cone =
+            light.cone ? Directions{-light.travel, glm::radians(light.light.cutoff_degrees)} : Directions{};
+        if (angle_between(to_light.axis, cone.axis) > to_light.angle + cone.angle + slack) {
+            return;
+        }
+        const glm::dvec3 n = unit(here_.normal);
+        const double incidence = std::min(largest_cosine(n, to_light, slack), largest_cosine(n, cone, slack));
+        const bool phong = setup_.technique.model == Model::phong;
+        const double f = largest_cosine(phong ? here_.view : n, highlight, slack);
+        const Amounts amount = amounts(i, reach, std::pow(f, raised_exponent(setup_, object_.material.shininess)));
+        const bool where_lit = setup_.technique.ambient == AmbientWhere::where_lit && incidence > 0;
+        if (where_lit || (light.light.attenuate_ambient && fades(light.light))) {
+            doubts_.rounding.body += amount.ambient;
+        }
+        doubts_.rounding.body += amount.diffuse * (incidence * std::max(glm::length(here_.normal), 1.0));
+        doubts_.rounding.highlight += incidence > 0 || !asks_for_light() ? amount.highlight : glm::dvec3(0);
     }
 
     /// Where the corners' vectors nearly cancel, float32 turns what is left by this much: only a surface that it may
@@ -207,15 +239,19 @@ class Branches {
         const double steepest = std::sqrt(std::max(terms.exponent, 1.0)) * 2;
         const Amounts amount = amounts(i, terms.vectors.a * terms.s, 1);
         const bool either_side = setup_.technique.direction == DirectionSign::unnegated_diffuse;
-        const bool gated = setup_.technique.gate != Gate::none && setup_.technique.gate != Gate::view_facing;
         if (either_side || terms.n_dot_l > -turn) {
             doubts_.rounding.body += amount.diffuse * std::min(turn, 1.0);
         }
-        if (!gated || terms.n_dot_l > -turn) {
-            doubts_.rounding.highlight += amount.highlight * std::min(steepest * highlight_turn, 1.0);
+        if (!asks_for_light() || terms.n_dot_l > -turn) {
+            const double most = std::pow(std::min(terms.f + highlight_turn, 1.0), terms.exponent);
+            doubts_.rounding.highlight += amount.highlight * std::min(steepest * highlight_turn, most);
         }
     }
 
+    /// Does a highlight need a surface that faces the light?
+    [[nodiscard]] bool asks_for_light() const {
+        return setup_.technique.gate == Gate::light_facing || setup_.technique.gate == Gate::times_n_dot_l;
+    }
     [[nodiscard]] bool adds_body() const { return terms_ != Terms::highlight; }
     [[nodiscard]] bool adds_highlight() const {
         return terms_ != Terms::body && reflection(setup_.technique.model).specular;
@@ -234,6 +270,12 @@ class Branches {
 bool direction_is_rounding(const Setup &setup, const LightSetup &light, const glm::dvec3 &position) {
     const double d = glm::length(light.position - position);
     return rounding * spread(setup, light, position, d) > far_from_a_branch;
+}
+
+LostDirection lost_direction(const Setup &setup, const LightSetup &light, const glm::dvec3 &position) {
+    const double d = glm::length(light.position - position);
+    const double share = std::min(2 * rounding * spread(setup, light, position, d), 1.0); // of the distance
+    return {std::sqrt(1 - share * share), share};
 }
 
 SurfacePoint Sampler::surface_point(const glm::dvec3 &position, const glm::dvec3 &normal, Side side) const {
@@ -285,9 +327,10 @@ std::vector<LightProbe> Sampler::probe_lights(const SurfacePoint &point) const {
 
 Doubts Sampler::doubts(Terms terms, const SurfacePoint &here) const { return Branches(*this, terms, here).doubts(); }
 
-Reflected Sampler::doubt_of_direction(Terms terms, const SurfacePoint &here, std::size_t light) const {
+Reflected Sampler::doubt_of_direction(Terms terms, const SurfacePoint &here, std::size_t light,
+                                      const Directions &to_light, const Directions &highlight) const {
     Branches branches(*this, terms, here);
-    branches.doubt_direction(light, vectors(here, light).a);
+    branches.doubt_direction(light, vectors(here, light).a, to_light, highlight);
     return branches.doubts_.rounding;
 }
 

@@ -2,6 +2,8 @@
 
 #include "reference/lighting.h"
 
+#include <numbers>
+
 /// The equation at a point of a surface, and where it jumps: a gate, a hard cone, N turned to the viewer. There a
 /// rounding of float32 may take the other branch: a large difference, but no error.
 namespace sandbox::reference {
@@ -49,6 +51,14 @@ struct PixelMasks {
     double doubt = 0; ///< by how much a channel of the colour may differ, at most
 };
 
+/// All directions to within `angle` (radians) of a unit one; at pi all there are.
+struct Directions {
+    glm::dvec3 axis{0, 0, 1};
+    double angle = std::numbers::pi;
+};
+/// Those to the points of a ball around `middle`.
+Directions directions_to(const glm::dvec3 &middle, double radius);
+
 /// An object's surface around one point. Keeps references to the setup and the object.
 class Sampler {
   public:
@@ -75,8 +85,9 @@ class Sampler {
     /// The point at `position` (as lit, from the eye) with the unit normal before it is turned.
     [[nodiscard]] SurfacePoint surface_point(const glm::dvec3 &position, const glm::dvec3 &normal, Side side) const;
     [[nodiscard]] LightTerms terms_at(const SurfacePoint &point, std::size_t light) const;
-    /// What is in doubt at `here` if the direction to the light may be any.
-    [[nodiscard]] Reflected doubt_of_direction(Terms terms, const SurfacePoint &here, std::size_t light) const;
+    /// What is in doubt at `here` if the direction to the light may be any of these, and R's or H's any of those.
+    [[nodiscard]] Reflected doubt_of_direction(Terms terms, const SurfacePoint &here, std::size_t light,
+                                               const Directions &to_light, const Directions &highlight) const;
 
     const Setup &setup_;
     const Object &object_;
@@ -97,5 +108,10 @@ class IsolatedPoint : public Sampler {
 
 /// Is a light so near to `position` (both from the eye) that rounding alone says in which direction it lies?
 bool direction_is_rounding(const Setup &setup, const LightSetup &light, const glm::dvec3 &position);
+/// Where the light then is, as seen from `position`: a ball around so much of the unit vector, of this radius.
+struct LostDirection {
+    double length, radius;
+};
+LostDirection lost_direction(const Setup &setup, const LightSetup &light, const glm::dvec3 &position);
 
 } // namespace sandbox::reference

@@ -170,16 +170,30 @@ bool Fragment::at_cell_border() const {
                                       rounding * farthest);
 }
 
-/// Interpolated vectors are only as reliable as the corners'.
+/// Interpolated vectors are only as reliable as the corners': L lies in a ball, and so does R or H.
 Doubts Fragment::corner_doubts() const {
     Doubts doubts;
     for (std::size_t i = 0; i < setup_.lights.size(); ++i) {
+        glm::dvec3 to_light(0), highlight(0);
+        double radius = 0, lost = 0;
         for (int k = 0; k < 3; ++k) {
-            if (here_.weights[k] > 0 &&
-                direction_is_rounding(setup_, setup_.lights[i], mesh_.positions[triangle_[k]])) {
-                const Reflected doubt = doubt_of_direction(Terms::all, here_, i);
-                doubts += std::min(here_.weights[k] * corner_weight, 1.0) * Doubts{{}, doubt};
+            const glm::dvec3 &position = mesh_.positions[triangle_[k]];
+            const double weight = std::max(here_.weights[k], 0.0);
+            const LightVectors vectors = Sampler::vectors(corner(k), i);
+            if (direction_is_rounding(setup_, setup_.lights[i], position)) {
+                const LostDirection left = lost_direction(setup_, setup_.lights[i], position);
+                to_light += weight * left.length * vectors.l;
+                radius += weight * left.radius;
+                lost += weight;
+            } else {
+                to_light += weight * vectors.l;
+                highlight += weight * (setup_.technique.model == Model::phong ? vectors.r : vectors.h);
             }
+        }
+        if (lost > 0) {
+            const Reflected doubt = doubt_of_direction(Terms::all, here_, i, directions_to(to_light, radius),
+                                                       directions_to(highlight, lost));
+            doubts += std::min(lost * corner_weight, 1.0) * Doubts{{}, doubt};
         }
     }
     return doubts;

@@ -142,6 +142,36 @@ TEST(OwedMasks, ACornersVectorsThatCancel) {
     EXPECT_EQ(count(render(scene, technique("interpolated-vectors/phong"), size).rounding), 0);
 }
 
+/// Where a lamp stands on a vertex its light may come from anywhere within its cone, and from nowhere else.
+TEST(OwedMasks, ALampAtACornerWhoseConeMeetsNoSide) {
+    Scene scene = lamp_at_a_corner();
+    scene.lights[1].type = LightType::spot;
+    scene.lights[1].cutoff_degrees = scene.lights[1].inner_cutoff_degrees = 20;
+    for (const char *text : {"per-vertex/phong", "hybrid/phong", "interpolated-vectors/blinn-phong"}) {
+        scene.lights[1].direction = {1, 1, 1}; // away from the box
+        EXPECT_EQ(count(render(scene, technique(text), {64, 64}).rounding), 0) << text;
+        scene.lights[1].direction = {-1, -1, -1};
+        EXPECT_GT(count(render(scene, technique(text), {64, 64}).rounding), 100) << text;
+    }
+}
+
+TEST(OwedMasks, VectorsThatCancelFarFromANarrowHighlight) {
+    Scene scene;
+    scene.camera.position = {0, 3, 3};
+    scene.objects.push_back(test::object_of(PlaneShape{{2, 2}, 1}));
+    scene.objects[0].material.diffuse = {0, 0, 0};
+    scene.lights.push_back(test::point_light({0, 1e-3, 0}));
+    const auto masked = [&](double shininess, const char *text) {
+        scene.objects[0].material.shininess = shininess;
+        return count(render(scene, technique(text), {101, 101}).rounding);
+    };
+    EXPECT_GT(masked(1, "interpolated-vectors/phong"), 3);
+    EXPECT_EQ(masked(2000, "interpolated-vectors/phong"), 0) << "45 degrees from the mirrored direction";
+    scene.lights[0].position = {1, 0, 1}; // on a vertex
+    EXPECT_GT(masked(1, "interpolated-vectors/blinn-phong"), 2 * masked(2000, "interpolated-vectors/blinn-phong"));
+    EXPECT_GT(masked(2000, "interpolated-vectors/blinn-phong"), 100) << "near the vertex H may be N";
+}
+
 /// Programs tell such a cone by sines: what they lose of a direction, 1e-6 and less, counts as an angle, not as a
 /// cosine, which would be an angle of 1e-3.
 TEST(OwedMasks, AConeNarrowerThanRounding) {

@@ -229,14 +229,17 @@ std::string unowed(const SpitefulScene &one, const std::vector<ObjectResources> 
                    const ReferenceFrame &truth, std::size_t shown) {
     const std::vector<PixelUse> uses = pixel_uses(drawn.object_ids, truth);
     const auto left_out = [&](std::size_t i) { return uses[i] == PixelUse::jump || uses[i] == PixelUse::rounding; };
+    std::vector<bool> asked(uses.size());
     std::size_t count = 0;
     for (std::size_t i = 0; i < uses.size(); ++i) {
+        asked[i] = left_out(i);
         count += left_out(i) ? 1U : 0U;
     }
-    if (static_cast<double>(count) <= listed_share * static_cast<double>(shown)) {
+    const auto few = static_cast<std::size_t>(listed_share * static_cast<double>(shown));
+    if (count <= few) {
         return {};
     }
-    const std::vector<bool> owed = owed_pixels(one.scene, resources, one.technique, truth, change);
+    const std::vector<bool> owed = owed_pixels(one.scene, resources, one.technique, truth, change, asked, few);
     count = 0;
     double most = 0;
     for (std::size_t i = 0; i < uses.size(); ++i) {

@@ -12,11 +12,13 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <memory>
+#include <numbers>
 
 namespace sandbox {
 namespace {
 
 constexpr double step = 2 * reference::rounding; ///< those of normals and of positions together
+constexpr int many_ways = 400;                   ///< 10 degrees apart
 
 /// The picture moves by `right` and `down` pixels; nothing is lit otherwise but what V of an orthographic camera is.
 Scene turned(Scene scene, Size size, double right, double down) {
@@ -53,6 +55,14 @@ Scene along_their_axes(Scene scene, double by) {
     return scene;
 }
 
+/// The i-th of `count` directions, evenly spread: a narrow cone or a highlight lets few of them through.
+glm::dvec3 spread_over_a_ball(int i, int count) {
+    const double y = 1 - (2 * i + 1.0) / count;
+    const double turn = i * std::numbers::pi * (3 - std::sqrt(5.0)); // by the golden ratio
+    const double r = std::sqrt(1 - y * y);
+    return {r * std::cos(turn), y, r * std::sin(turn)};
+}
+
 Scene other_directions(Scene scene, const glm::dvec3 &by) {
     for (Light &light : scene.lights) {
         light.direction += by * glm::length(light.direction);
@@ -86,8 +96,16 @@ std::vector<ObjectResources> other_normals(std::vector<ObjectResources> resource
 } // namespace
 
 std::vector<bool> owed_pixels(const Scene &placed, const std::vector<ObjectResources> &resources,
-                              const Technique &technique, const ReferenceFrame &truth, double negligible) {
+                              const Technique &technique, const ReferenceFrame &truth, double negligible,
+                              const std::vector<bool> &asked, std::size_t few) {
     std::vector<bool> owed(truth.color.size(), false);
+    const auto unproved = [&] {
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < owed.size(); ++i) {
+            count += asked[i] && !owed[i] ? 1U : 0U;
+        }
+        return count;
+    };
     const auto note = [&](const Scene &scene, const std::vector<ObjectResources> &meshes) {
         const ReferenceFrame moved = render_reference(scene, meshes, technique, truth.size);
         for (std::size_t i = 0; i < owed.size(); ++i) {
@@ -113,6 +131,9 @@ std::vector<bool> owed_pixels(const Scene &placed, const std::vector<ObjectResou
             note(other_directions(scene, by), resources);
             note(scene, other_normals(resources, by));
         }
+    }
+    for (int i = 0; i < many_ways && unproved() > few; ++i) {
+        note(pulled_apart(scene, resources, step * spread_over_a_ball(i, many_ways)), resources);
     }
     return owed;
 }
