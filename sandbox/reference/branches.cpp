@@ -97,7 +97,9 @@ class Branches {
         const LightVectors vectors = sampler_.vectors(here_, i);
         if (direction_is_rounding(setup_, light, here_.position)) {
             const auto [length, radius] = lost_direction(setup_, light, here_.position);
-            return doubt_direction(i, attenuation_bound(light, vectors.d), directions_to(length * vectors.l, radius));
+            const Directions to_light = directions_to(length * vectors.l, radius);
+            return doubt_direction(i, attenuation_bound(light, vectors.d), to_light,
+                                   highlight_directions(vectors, to_light));
         }
         const bool short_normal = !sampler_.keeps_normal_lengths() && here_.normal_length < short_vector;
         if (short_normal || std::min(vectors.l_length, vectors.highlight_length) < short_vector) {
@@ -110,13 +112,14 @@ class Branches {
         const double dot_noise =
             rounding * (glm::dot(glm::abs(here_.normal), glm::abs(vectors.l)) * shortness + lengths);
         const auto n_dot_l = [&](const SurfacePoint &p) { return glm::dot(p.normal, sampler_.vectors(p, i).l); };
+        const double middle = (light.cos_inner + light.cos_outer) / 2;
         const auto beyond_cone = [&](const SurfacePoint &p) {
-            return glm::dot(-sampler_.vectors(p, i).l, light.travel) - light.cos_outer;
+            return glm::dot(-sampler_.vectors(p, i).l, light.travel) - middle;
         };
-        const double in_cone = cone_noise(light, noise);
+        const double in_cone = cone_noise(light, rounding * shortness, rounding * lengths);
         const double edge = light.cos_inner - light.cos_outer; // one that rounding spans is as good as hard
         const bool steps = light.cone && in_cone > far_from_a_branch * edge;
-        const bool at_cone = steps && close(beyond_cone, in_cone + edge);
+        const bool at_cone = steps && close(beyond_cone, in_cone + edge / 2);
         const bool gated = adds_highlight() && setup_.technique.gate == Gate::light_facing;
         const bool where_lit = adds_body() && setup_.technique.ambient == AmbientWhere::where_lit;
         const bool at_gate = (gated || where_lit) && close(n_dot_l, dot_noise);
@@ -126,10 +129,12 @@ class Branches {
         doubt_steep_highlight(i, noise);
     }
 
-    /// Of the cosine, where a direction errs by `noise`; less where programs compare sines.
-    static double cone_noise(const LightSetup &light, double noise) {
+    /// Of the cosine, where L is turned by `noise` and `turn`, and the dot product rounded by `noise`; where programs
+    /// compare sines, it is not.
+    static double cone_noise(const LightSetup &light, double noise, double turn) {
         const double sine = std::sqrt(std::max(1 - light.cos_outer * light.cos_outer, 0.0));
-        return is_narrow_cone(light.light) ? noise * (sine + noise) : noise;
+        const double turned = noise + turn;
+        return turned * (sine + turned) + (is_narrow_cone(light.light) ? 0 : noise);
     }
 
     template <class Quantity> bool close(const Quantity &quantity, double noise) {
@@ -207,6 +212,16 @@ class Branches {
         return has_position(light.light) ? attenuation(light.light.attenuation, nearest) : 1;
     }
 
+    /// R turns as L does; H points to L + V.
+    [[nodiscard]] Directions highlight_directions(const LightVectors &vectors, const Directions &to_light) const {
+        if (setup_.technique.model == Model::phong) {
+            return {vectors.r, to_light.angle};
+        }
+        return setup_.technique.half_vector == HalfVector::exact
+                   ? directions_to(vectors.l + here_.view, 2 * std::sin(to_light.angle / 2))
+                   : Directions{};
+    }
+
     /// L may be any of these, R or H any of those: what depends on them may have any value that the cone, the side that
     /// is lit and the highlight's width let pass.
     void doubt_direction(std::size_t i, double reach, const Directions &to_light, const Directions &highlight = {}) {
@@ -214,16 +229,24 @@ class Branches {
         const double slack = blurred_angle + 2 * rounding * (1 / here_.normal_length + excess(here_.view_length));
         const Directions cone =
             light.cone ? Directions{-light.travel, glm::radians(light.light.cutoff_degrees)} : Directions{};
+        const glm::dvec3 n = unit(here_.normal);
+        const bool where_lit = setup_.technique.ambient == AmbientWhere::where_lit;
+        if (where_lit && !light.light.attenuate_ambient && largest_cosine(n, to_light, slack) > 0) {
+            doubts_.rounding.body += amounts(i, reach, 0).ambient; // it does not ask for the cone
+        }
         if (angle_between(to_light.axis, cone.axis) > to_light.angle + cone.angle + slack) {
             return;
         }
-        const glm::dvec3 n = unit(here_.normal);
         const double incidence = std::min(largest_cosine(n, to_light, slack), largest_cosine(n, cone, slack));
         const bool phong = setup_.technique.model == Model::phong;
-        const double f = largest_cosine(phong ? here_.view : n, highlight, slack);
+        double f = largest_cosine(phong ? here_.view : n, highlight, slack);
+        // H lies within 90 degrees of V; where the gate asks for light, R lies within 90 degrees of N.
+        const bool in_half = phong ? asks_for_light() : setup_.technique.half_vector == HalfVector::exact;
+        if (in_half && glm::dot(n, here_.view) < 0) {
+            f = std::min(f, glm::length(glm::cross(n, here_.view)) + slack);
+        }
         const Amounts amount = amounts(i, reach, std::pow(f, raised_exponent(setup_, object_.material.shininess)));
-        const bool where_lit = setup_.technique.ambient == AmbientWhere::where_lit && incidence > 0;
-        if (where_lit || (light.light.attenuate_ambient && fades(light.light))) {
+        if (light.light.attenuate_ambient && (where_lit ? incidence > 0 : fades(light.light))) {
             doubts_.rounding.body += amount.ambient;
         }
         doubts_.rounding.body += amount.diffuse * (incidence * std::max(glm::length(here_.normal), 1.0));

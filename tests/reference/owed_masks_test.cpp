@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <memory>
 
 /// A pixel is left out only where something that adds light there jumps, or cannot be told apart.
 namespace sandbox {
@@ -156,6 +157,42 @@ TEST(OwedMasks, ALampAtACornerWhoseConeMeetsNoSide) {
         scene.lights[1].direction = {-1, -1, -1};
         EXPECT_GT(count(render(scene, technique(text), {64, 64}).rounding), 100) << text;
     }
+}
+
+/// Ambient light that is switched by N.L asks for no cone.
+TEST(OwedMasks, AmbientWhereLitOfALampAtACornerWhoseConeMeetsNoSide) {
+    Scene scene = lamp_at_a_corner();
+    scene.lights[1].type = LightType::spot;
+    scene.lights[1].cutoff_degrees = scene.lights[1].inner_cutoff_degrees = 20;
+    scene.lights[1].direction = {1, 1, 1};
+    const auto masked = [&](const char *text) { return count(render(scene, technique(text), {64, 64}).rounding); };
+    scene.lights[1].ambient = 1;
+    EXPECT_GT(masked("per-vertex/lambert:ambient=where-lit"), 100);
+    EXPECT_EQ(masked("per-vertex/lambert"), 0);
+    scene.lights[1].attenuate_ambient = true;
+    EXPECT_EQ(masked("per-vertex/lambert:ambient=where-lit"), 0) << "the cone darkens it, too";
+}
+
+/// H lies within 90 degrees of V, whatever L is: a vertex whose normal is turned away has no narrow highlight.
+TEST(OwedMasks, ALampAtACornerThatIsTurnedAway) {
+    Scene scene;
+    scene.camera.position = {0, 0, 4};
+    scene.objects.push_back(test::object_of(PlaneShape{}));
+    scene.objects[0].material.diffuse = {0, 0, 0};
+    scene.lights.push_back(test::point_light({-1, -1, 0}));
+    Mesh mesh;
+    mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}};
+    mesh.triangles = {{0, 1, 2}};
+    mesh.bounds = {{-1, -1, 0}, {1, 1, 0}};
+    const auto masked = [&](double n_z, double shininess) {
+        mesh.normals.assign(3, {0, 0.6, n_z});
+        scene.objects[0].material.shininess = shininess;
+        const Technique t = technique("per-vertex/blinn-phong");
+        return count(render_reference(scene, {{std::make_shared<const Mesh>(mesh), nullptr}}, t, {64, 64}).rounding);
+    };
+    EXPECT_GT(masked(0.8, 200), 100);
+    EXPECT_EQ(masked(-0.8, 200), 0) << "N.H is at most 0.7";
+    EXPECT_GT(masked(-0.8, 1), 100);
 }
 
 TEST(OwedMasks, VectorsThatCancelFarFromANarrowHighlight) {

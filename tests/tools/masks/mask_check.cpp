@@ -25,6 +25,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <functional>
+#include <ranges>
 #include <string>
 
 namespace sandbox {
@@ -209,18 +210,28 @@ int list(Checker16 &check) {
 // ---- search
 
 /// The wrong picture: the same technique with one more fault, in double. Does the mask cover all that shows it?
-std::string hidden_fault(const Scene &scene, const std::vector<ObjectResources> &resources, const ReferenceFrame &truth,
-                         const Technique &faulty) {
-    const ReferenceFrame wrong = render_reference(scene, resources, faulty, size);
+std::string hidden_fault(const SpitefulScene &one, const std::vector<ObjectResources> &resources,
+                         const ReferenceFrame &truth, const Technique &faulty) {
+    const ReferenceFrame wrong = render_reference(one.scene, resources, faulty, size);
+    const double bound = level * brightest(truth);
     const Metrics judged = compare(to_frame(wrong), truth, Flip::without);
+    std::vector<bool> shows(truth.color.size());
     std::size_t differing = 0;
-    for (std::size_t i = 0; i < truth.color.size(); ++i) {
+    for (std::size_t i = 0; i < shows.size(); ++i) {
         const bool same = truth.object_ids[i] != 0 && wrong.object_ids[i] == truth.object_ids[i];
-        differing += same && largest(wrong.color[i] - truth.color[i]) > level * brightest(truth) ? 1U : 0U;
+        shows[i] = same && largest(wrong.color[i] - truth.color[i]) > bound;
+        differing += shows[i] ? 1U : 0U;
     }
-    const bool hidden = !(judged.norms.max_abs > level * brightest(truth)) && why_untrusted(judged).empty();
-    return hidden && 20 * differing > shown_pixels(judged)
-               ? fmt::format("hides {} in {} pixels", to_string(faulty), differing)
+    const bool hidden = !(judged.norms.max_abs > bound) && why_untrusted(judged).empty();
+    if (!hidden || 20 * differing <= shown_pixels(judged)) {
+        return {};
+    }
+    // Where roundings alone change the truth by as much, no figure could show the fault.
+    const std::vector<bool> undecided = owed_pixels(one.scene, resources, one.technique, truth, bound, shows, 0);
+    const auto decided = std::ranges::count_if(std::views::iota(std::size_t{0}, shows.size()),
+                                               [&](std::size_t i) { return shows[i] && !undecided[i]; });
+    return 20 * static_cast<std::size_t>(decided) > shown_pixels(judged)
+               ? fmt::format("hides {} in {} pixels", to_string(faulty), decided)
                : "";
 }
 
@@ -283,7 +294,7 @@ std::string finding(unsigned seed, const SpitefulScene &one, Checker16 &check) {
         }
     }
     const auto faulty = with_a_fault(one.scene, one.technique, seed);
-    return faulty ? hidden_fault(one.scene, resources, truth, *faulty) : "";
+    return faulty ? hidden_fault(one, resources, truth, *faulty) : "";
 }
 
 int search(Checker16 &check, unsigned first, unsigned count, double seconds) {

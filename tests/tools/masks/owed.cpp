@@ -132,6 +132,10 @@ std::vector<bool> owed_pixels(const Scene &placed, const std::vector<ObjectResou
             note(scene, other_normals(resources, by));
         }
     }
+    for (int i = 0; i < many_ways && unproved() > few; ++i) { // two cells of a checker may change, and the colour not
+        const glm::dvec3 by = reference::edge_width * spread_over_a_ball(i, many_ways);
+        note(turned(scene, truth.size, by.x, by.z), resources);
+    }
     for (int i = 0; i < many_ways && unproved() > few; ++i) {
         note(pulled_apart(scene, resources, step * spread_over_a_ball(i, many_ways)), resources);
     }
