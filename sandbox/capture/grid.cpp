@@ -2,11 +2,11 @@
 
 #include "capture/labels.h"
 #include "capture/sidecar.h"
+#include "image/cut_paste.h"
 #include "image/error.h"
 #include "image/picture_size.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -14,19 +14,6 @@ namespace sandbox {
 namespace {
 
 constexpr std::string_view expected = "expected PATH=v1,v2,... such as objects[0].material.shininess=8,32,128";
-
-void paste(ByteImage &onto, const ByteImage &picture, int left, int top) {
-    for (int y = 0; y < picture.size.height; ++y) {
-        const auto row = picture.rgb.begin() + std::ptrdiff_t{3} * y * picture.size.width;
-        std::copy_n(row, std::ptrdiff_t{3} * picture.size.width,
-                    onto.rgb.begin() + std::ptrdiff_t{3} * ((top + y) * std::ptrdiff_t{onto.size.width} + left));
-    }
-}
-
-ByteImage black(Size size) {
-    return {size, std::vector<std::uint8_t>(3 * static_cast<std::size_t>(size.width) *
-                                            static_cast<std::size_t>(size.height))};
-}
 
 /// The strip above the columns, then one for each row, all in the largest text in which every label is whole.
 std::vector<Strips> strips_of(std::span<const std::string> rows, std::span<const std::string> columns, Size cell) {
@@ -123,9 +110,9 @@ ByteImage grid_picture(std::span<const std::string> rows, std::span<const std::s
     } catch (const InputError &) {
         throw InputError("the grid would have {}x{} pixels, too many: ask for smaller cells", size.width, size.height);
     }
-    ByteImage picture = black(size);
+    ByteImage picture = black_picture(size);
     const auto add_strip = [&](const Strips &strip, int top) {
-        ByteImage part = black({size.width, strip.above});
+        ByteImage part = black_picture({size.width, strip.above});
         draw_labels(part, strip);
         paste(picture, part, 0, top);
         return top + strip.above;

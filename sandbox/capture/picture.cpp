@@ -1,13 +1,13 @@
 #include "capture/picture.h"
 
 #include "capture/labels.h"
+#include "image/cut_paste.h"
 #include "image/difference.h"
 #include "image/error.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <fmt/format.h>
 #include <vector>
 
@@ -91,11 +91,32 @@ std::vector<Image> draw_views(const Scene &scene, const PictureOptions &options,
     return views;
 }
 
-/// In the middle of a picture that has `above` rows more above it.
-void paste(ByteImage &onto, const ByteImage &picture, int above) {
-    const std::size_t row = 3 * static_cast<std::size_t>(onto.size.width);
-    std::ranges::copy(picture.rgb,
-                      onto.rgb.begin() + static_cast<std::ptrdiff_t>(row * static_cast<std::size_t>(above)));
+/// Over the views, `rows` high, that begin at row `top`; names in text of `text` pixels.
+void mark_views(ByteImage &picture, const Scene &scene, const PictureOptions &options, const Painters &painters,
+                int top, int rows, double text) {
+    if (options.marks == Marks{}) {
+        return;
+    }
+    std::vector<Size> views = view_sizes(options.layout, {options.size.width, rows});
+    views.resize(static_cast<std::size_t>(columns_of(options.layout)));
+    int left = 0;
+    for (const Size &size : views) {
+        std::vector<Arrow> arrows;
+        if (const auto at = options.marks.pixel; at && options.marks.vectors) {
+            const Technique truth = truth_of(options.left);
+            const auto place = [](double share, int length) {
+                return std::min(static_cast<int>(share * length), length - 1);
+            };
+            const auto probe = painters.probe(scene, truth, size, place(at->x, size.width), place(at->y, size.height));
+            if (probe) {
+                arrows = arrows_of(scene, truth.model, *probe, static_cast<double>(size.width) / size.height);
+            }
+        }
+        ByteImage view = cut(picture, left, top, size);
+        draw_marks(view, options.marks, arrows, text);
+        paste(picture, view, left, top);
+        left += size.width;
+    }
 }
 
 } // namespace
@@ -161,11 +182,13 @@ ByteImage show_picture(const Scene &scene, const PictureOptions &options, const 
     const int rows = options.size.height - strips.above - strips.below;
     const std::vector<Image> views = draw_views(scene, options, {options.size.width, rows}, painters);
     const bool difference = options.layout == Layout::difference;
-    ByteImage shown{options.size, std::vector<std::uint8_t>(3 * Image(options.size).pixels.size())};
+    ByteImage shown = black_picture(options.size);
     paste(shown,
           difference ? difference_picture(views[0], views[1], options.gain)
                      : to_display(compose(options.layout, views, options.divider), options.display, options.exposure),
-          strips.above);
+          0, strips.above);
+    mark_views(shown, scene, options, painters, strips.above, rows,
+               strips.text > 0 ? strips.text : std::clamp(rows / 30.0, 8.0, 64.0));
     if (!difference && (options.layout == Layout::wipe || options.labels)) {
         for (const int split : splits_of(options)) {
             draw_divider(shown, split, strips.above, rows);

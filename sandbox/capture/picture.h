@@ -1,10 +1,12 @@
 #pragma once
 
 #include "capture/layout.h"
+#include "capture/marks.h"
 #include "scene/scene.h"
 #include "shading/technique.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,11 +16,13 @@ namespace sandbox {
 
 /// Draws a view: the renderer, or a fake in a test.
 using DrawView = std::function<Image(const Scene &, const Technique &, Size)>;
+using ProbeView = std::function<std::optional<PixelProbe>(const Scene &, const Technique &, Size, int x, int y)>;
 /// Who draws what. `draw` and `textbook` draw the wireframe, too, where the picture has one.
 struct Painters {
     DrawView draw;
     DrawView textbook; ///< textbook_picture()
     DrawView truth;    ///< the reference
+    ProbeView probe{}; ///< probe_pixel(); for marks alone
 };
 /// The two pictures of a difference, as its scale names them: "A" and "truth".
 std::pair<const char *, const char *> names_of(DifferenceOf of);
@@ -54,6 +58,7 @@ struct PictureOptions {
     double divider = 0.5; ///< the left view's share of a wipe's width
     bool wireframe = false;
     bool labels = false;
+    Marks marks;      ///< in a PNG
     std::string view; ///< the named view that the camera came from, for the record
     bool operator==(const PictureOptions &) const = default;
 };
@@ -65,8 +70,8 @@ std::string textbook_name(const Technique &technique);
 /// second, without gain. The third view of a three-up is the truth of the left technique.
 Image draw_picture(const Scene &scene, const PictureOptions &options, const Painters &painters);
 
-/// The picture as a PNG holds it: exposure and the display's curve, dividers, labels in a strip above the views; a
-/// difference in its colours, with its scale in a strip below.
+/// The picture as a PNG holds it: exposure and the display's curve, marks, dividers, labels in a strip above the views;
+/// a difference in its colours, with its scale in a strip below.
 ByteImage show_picture(const Scene &scene, const PictureOptions &options, const Painters &painters);
 
 /// What the strips of a PNG leave to its views. Strips that would take more than a third of the height are left out.

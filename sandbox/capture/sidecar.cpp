@@ -4,6 +4,7 @@
 #include "scene/scene_file.h"
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace sandbox {
 namespace {
@@ -36,6 +37,20 @@ FlipSide parse_flip(std::string_view text) {
         throw InputError("expected A or B, got '{}'", text);
     }
     return text == "A" ? FlipSide::a : FlipSide::b;
+}
+
+void write_marks(ordered_json &out, const Marks &marks) {
+    if (marks.pixel) {
+        out["pixel"] = {marks.pixel->x, marks.pixel->y};
+    }
+    for (const auto &[key, on] : {std::pair("vectors", marks.vectors), std::pair("loupe", marks.loupe)}) {
+        if (on) {
+            out[key] = true;
+        }
+    }
+    if (marks.profile) {
+        out["profile"] = *marks.profile;
+    }
 }
 
 void read_techniques(const ordered_json &value, PictureOptions &options) {
@@ -81,6 +96,7 @@ std::string sidecar_text(const Scene &scene, const PictureOptions &options, cons
     if (options.layout == Layout::wipe) {
         out["divider"] = options.divider;
     }
+    write_marks(out, options.marks);
     if (!options.view.empty()) {
         out["view"] = options.view;
     }
@@ -115,6 +131,12 @@ std::optional<PictureOptions> sidecar_options(std::string_view text, std::string
     read("flip", [&](const ordered_json &v) { options.flip = parse_flip(v.get<std::string>()); });
     read("difference_of",
          [&](const ordered_json &v) { options.difference_of = parse_difference_of(v.get<std::string>()); });
+    read("pixel", [&](const ordered_json &v) {
+        options.marks.pixel = {read_share(v.at(0).get<double>()), read_share(v.at(1).get<double>())};
+    });
+    read("profile", [&](const ordered_json &v) { options.marks.profile = read_share(v.get<double>()); });
+    read_value("vectors", options.marks.vectors);
+    read_value("loupe", options.marks.loupe);
     read_value("wireframe", options.wireframe);
     read_value("textbook_left", options.textbook_left);
     read_value("exposure", options.exposure);

@@ -11,6 +11,8 @@
 #include "scene/scene_setting.h"
 #include "ui/views/painters.h"
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 #include <utility>
@@ -32,6 +34,10 @@ struct CaptureFlags {
     std::optional<double> gain, exposure, orbit;
     std::optional<int> frames;
     std::optional<DifferenceOf> difference_of;
+    std::optional<glm::dvec2> pixel;
+    std::optional<double> profile;
+    bool vectors = false;
+    bool loupe = false;
     bool wireframe = false;
     bool labels = false;
     bool no_labels = false;
@@ -64,6 +70,30 @@ void apply_two_views(const CaptureFlags &flags, PictureOptions &options) {
     options.flip = FlipSide::none;
 }
 
+double parse_share(std::string_view text) {
+    double share = -1;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), share);
+    if (error != std::errc() || end != text.data() + text.size() || !(share >= 0 && share <= 1)) {
+        throw InputError("expected a share of the view from 0 to 1, got '{}'", text);
+    }
+    return share;
+}
+
+glm::dvec2 parse_place(std::string_view text) {
+    const std::size_t comma = std::min(text.find(','), text.size());
+    return {parse_share(text.substr(0, comma)), parse_share(text.substr(std::min(comma + 1, text.size())))};
+}
+
+void take_marks(Marks &marks, const CaptureFlags &flags) {
+    marks.pixel = flags.pixel ? flags.pixel : marks.pixel;
+    marks.profile = flags.profile ? flags.profile : marks.profile;
+    marks.vectors = marks.vectors || flags.vectors;
+    marks.loupe = marks.loupe || flags.loupe;
+    if (!marks.pixel && (marks.vectors || marks.loupe)) {
+        throw InputError("{} needs --pixel X,Y", marks.vectors ? "--vectors" : "--loupe");
+    }
+}
+
 /// The sidecar's options, or the defaults, with what the flags change.
 PictureOptions picture_options(const CaptureFlags &flags) {
     PictureOptions options = sidecar_of(flags.scene).value_or(PictureOptions{});
@@ -84,6 +114,7 @@ PictureOptions picture_options(const CaptureFlags &flags) {
     options.exposure = flags.exposure.value_or(options.exposure);
     options.difference_of = flags.difference_of.value_or(options.difference_of);
     options.wireframe = options.wireframe || flags.wireframe;
+    take_marks(options.marks, flags);
     options.labels = (options.labels || flags.labels) && !flags.no_labels;
     options.view = flags.view.empty() ? options.view : flags.view;
     check_positive("--gain", options.gain);
@@ -97,6 +128,9 @@ void refuse_display_flags(const CaptureFlags &flags) {
                                                            {flags.exposure.has_value(), "--exposure"},
                                                            {flags.gain.has_value(), "--gain"},
                                                            {flags.labels, "--labels"},
+                                                           {flags.vectors, "--vectors"},
+                                                           {flags.loupe, "--loupe"},
+                                                           {flags.profile.has_value(), "--profile"},
                                                            {flags.wireframe, "--wireframe"}};
     for (const auto &[given, flag] : display_flags) {
         if (given) {
@@ -271,6 +305,12 @@ void add_capture(CLI::App &app, CommonOptions &common, Run &run) {
     add_value(command, "--gain", "G", flags->gain, "Factor on a difference in a PNG [1]");
     add_parsed(command, "--difference-of", "a-b|a-reference|b-reference", flags->difference_of, parse_difference_of,
                "The two pictures of a difference; a reference is of that side's model [a-b]");
+    command.option_defaults()->group("Marks over every view of a PNG");
+    add_parsed(command, "--pixel", "X,Y", flags->pixel, parse_place,
+               "Which pixel, as shares of a view's width and height, from its upper left corner");
+    command.add_flag("--vectors", flags->vectors, "A cross at --pixel, and its N, V and every light's L and R or H");
+    command.add_flag("--loupe", flags->loupe, "The neighbourhood of --pixel, magnified");
+    add_parsed(command, "--profile", "Y", flags->profile, parse_share, "A line at this share of the height");
     command.option_defaults()->group("Grid");
     add_parsed(command, "--sweep", "PATH=v1,v2,...", flags->sweep, parse_sweep,
                "A labelled grid: techniques down, values of a setting across, each cell --size; at most 64 cells");

@@ -1,10 +1,10 @@
 #include "image/text.h"
 
 #include "image/glyphs.h"
+#include "image/segment.h"
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <sstream>
 #include <string>
@@ -72,13 +72,6 @@ double advance(const std::vector<Polyline> &strokes) {
         }
     }
     return width + glyph_gap;
-}
-
-double distance_to_segment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
-    const glm::dvec2 along = b - a;
-    const double length_squared = glm::dot(along, along);
-    const double t = length_squared > 0 ? std::clamp(glm::dot(p - a, along) / length_squared, 0.0, 1.0) : 0;
-    return glm::distance(p, a + t * along);
 }
 
 /// How much of each pixel of a line's box the ink covers; a mask, because strokes that cross must not add up.

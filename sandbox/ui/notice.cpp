@@ -28,7 +28,7 @@ void Notice::draw() const {
     const float wrap = window.WorkSize.x - 4 * em;
     const ImVec2 text = ImGui::CalcTextSize(text_.c_str(), nullptr, false, wrap);
     const ImVec2 at{std::floor(window.WorkPos.x + (window.WorkSize.x - text.x) / 2),
-                    std::floor(window.WorkPos.y + window.WorkSize.y * 0.75F - text.y)};
+                    std::floor(window.WorkPos.y + em * 5.5F)}; // below the captions, on the pictures
     ImDrawList &list = *ImGui::GetForegroundDrawList();
     list.AddRectFilled({at.x - em, at.y - em * 0.6F}, {at.x + text.x + em, at.y + text.y + em * 0.6F},
                        IM_COL32(16, 18, 22, 235), em * 0.4F);

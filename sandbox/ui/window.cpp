@@ -8,6 +8,7 @@
 #include "ui/frame.h"
 #include "ui/keys.h"
 #include "ui/session/written_files.h"
+#include "ui/tabs/bottom_tabs.h"
 #include "ui/views/painters.h"
 
 #include <algorithm>
@@ -47,7 +48,7 @@ Window::Window(const WindowOptions &options, Host &host)
       bottom_({options.assets, options.shaders, drawn_by_, &host.context()}),
       finder_({options.assets, options.shaders, drawn_by_, &host.context()}), settings_(options.settings),
       settings_file_(options.settings_file), frames_left_(settling_frames) {
-    take_view(session_.view, options.file);
+    show_view(options.file);
     session_.appearance.run_times = options.run_times;
     session_.appearance.dark = settings_.dark;
     session_.appearance.panels = settings_.panels;
@@ -176,7 +177,14 @@ void Window::open(const std::string &name_or_path) {
 void Window::take_opened(const OpenedFile &file) {
     load(file.scene, "Opened " + file.name + ".");
     show_document(session_, document_from(file, session_));
+    show_view(file);
+}
+
+void Window::show_view(const OpenedFile &file) {
     take_view(session_.view, file);
+    if (const auto tab = tab_of(session_.view.overlay); tab && file.marks) {
+        session_.appearance.tab = tab;
+    }
 }
 
 void Window::save(const std::string &path) {

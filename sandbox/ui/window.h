@@ -61,6 +61,7 @@ class Window {
     void capture();
     void save(const std::string &path);
     void take_opened(const OpenedFile &file);
+    void show_view(const OpenedFile &file);
     void use_clipboard(const Requests &requests);
     void keep_settings();
     void capture_window(Size size);

@@ -213,6 +213,22 @@ TEST_F(ScriptGl, TheFolderOfCapturesOpens) {
     EXPECT_EQ(folder.read("opened"), std::filesystem::canonical(folder.path()).string());
 }
 
+TEST_F(ScriptGl, VectorsLoupeAndProfileAreCapturedAndComeBack) {
+    EXPECT_PLAYED(play("key P\nclick B/picture 150 100\nkey Z\nhover Status\nwait\nkey F12\n"
+                       "key L\nkey Z\ndrag A/picture 0 0\nkey F12\n"));
+    for (const char *name : {"three-point-lights-001.png", "three-point-lights-002.png"}) {
+        const std::string sidecar = std::string(name) + ".json";
+        const ProcessResult again = run_sandbox({"capture", folder.file(sidecar), "--out", folder.file("again.png")});
+        EXPECT_EQ(again.exit_code, 0) << again.err;
+        expect_same("again.png", name);
+    }
+    expect_other("three-point-lights-001.png", "three-point-lights-002.png");
+    EXPECT_PLAYED(play("expect \"Pixel probe/truth/N\" \"0.\"\nkey F12\n", {"three-point-lights-001.png.json"}));
+    EXPECT_NE(folder.read("three-point-lights-001.png-001.png.json").find("\"vectors\": true"), std::string::npos);
+    EXPECT_NE(folder.read("three-point-lights-001.png-001.png.json").find("\"loupe\": true"), std::string::npos);
+    EXPECT_NE(folder.read("three-point-lights-002.png.json").find("\"profile\""), std::string::npos);
+}
+
 TEST_F(ScriptGl, AWipesSidecarRestoresItsDivider) {
     EXPECT_PLAYED(play("key Tab\nkey 2\ndrag View/divider 60 0\nshot wipe.png\nkey F12\n"));
     EXPECT_PLAYED(play("key Tab\nshot again.png\n", {"three-point-lights-001.png.json"}));

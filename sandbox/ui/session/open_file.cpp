@@ -21,6 +21,7 @@ void take_sidecar(OpenedFile &file, const PictureOptions &options) {
     file.left = options.left;
     file.textbook_left = options.textbook_left;
     file.wireframe = options.wireframe;
+    file.marks = options.marks;
     if (options.layout != Layout::single || options.flip != FlipSide::none) {
         file.right = options.right;
         file.layout = options.layout;
@@ -78,6 +79,12 @@ void take_view(ViewSettings &view, const OpenedFile &file) {
     view.layout = file.layout.value_or(view.layout);
     view.divider = static_cast<float>(file.divider.value_or(static_cast<double>(view.divider)));
     view.wireframe = file.wireframe.value_or(view.wireframe);
+    if (file.marks) {
+        view.pinned_pixel = file.marks->pixel;
+        view.loupe = file.marks->loupe;
+        view.profile_row = file.marks->profile.value_or(view.profile_row);
+        view.overlay = file.marks->vectors ? Overlay::pixel : file.marks->profile ? Overlay::profile : Overlay::none;
+    }
     view.gain = file.gain.value_or(view.gain);
     view.difference_of = file.difference_of.value_or(view.difference_of);
 }

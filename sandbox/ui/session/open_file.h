@@ -1,6 +1,6 @@
 #pragma once
 
-#include "capture/layout.h"
+#include "capture/marks.h"
 #include "scene/assets.h"
 #include "ui/session/session.h"
 
@@ -21,6 +21,7 @@ struct OpenedFile {
     std::optional<Layout> layout;
     std::optional<double> divider; ///< of a wipe
     std::optional<bool> wireframe;
+    std::optional<Marks> marks;
     std::optional<double> gain; ///< of a difference, as is:
     std::optional<DifferenceOf> difference_of;
 };

@@ -71,6 +71,12 @@ PictureOptions picture_options(const Session &session, Size each) {
     options.wireframe = session.view.wireframe;
     options.divider = static_cast<double>(session.view.divider);
     options.labels = true;
+    options.marks.vectors = session.view.overlay == Overlay::pixel && session.view.probed();
+    options.marks.loupe = session.view.loupe && session.view.probed();
+    options.marks.pixel = options.marks.vectors || options.marks.loupe ? session.view.probed() : std::nullopt;
+    if (session.view.overlay == Overlay::profile) {
+        options.marks.profile = session.view.profile_row;
+    }
     options.size = size_around(options, {each.width * columns_of(options.layout), each.height});
     return options;
 }

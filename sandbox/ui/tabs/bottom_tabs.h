@@ -4,7 +4,10 @@
 #include "ui/session/session.h"
 #include "ui/views/view_painter.h"
 
+#include <cstddef>
+#include <iterator>
 #include <memory>
+#include <optional>
 
 namespace sandbox {
 
@@ -46,5 +49,15 @@ constexpr BottomTab bottom_tabs[] = {
     {"GLSL", 'G', "The programs of A and B beside each other", glsl_tab},
     {"Stability", 'S', "Stiff and extreme scenes, in which a textbook's formulas break", stability_tab},
 };
+
+/// The one that draws `overlay` over the pictures; none for Overlay::none.
+constexpr std::optional<std::size_t> tab_of(Overlay overlay) {
+    for (std::size_t tab = 0; tab < std::size(bottom_tabs); ++tab) {
+        if (overlay != Overlay::none && bottom_tabs[tab].overlay == overlay) {
+            return tab;
+        }
+    }
+    return std::nullopt;
+}
 
 } // namespace sandbox

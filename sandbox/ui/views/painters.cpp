@@ -30,9 +30,12 @@ Painters painters_of(Renderer &renderer, bool wireframe) {
     };
     return {.draw = wireframe ? DrawView(with_lines({})) : draw,
             .textbook = wireframe ? DrawView(with_lines(textbook)) : textbook,
-            .truth = [resources](const Scene &scene, const Technique &technique, Size size) {
-                return to_frame(render_reference(scene, resources(scene), technique, size)).color;
-            }};
+            .truth =
+                [resources](const Scene &scene, const Technique &technique, Size size) {
+                    return to_frame(render_reference(scene, resources(scene), technique, size)).color;
+                },
+            .probe = [resources](const Scene &scene, const Technique &technique, Size size, int x,
+                                 int y) { return probe_pixel(scene, resources(scene), technique, size, x, y); }};
 }
 
 } // namespace sandbox

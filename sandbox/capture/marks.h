@@ -1,0 +1,42 @@
+#pragma once
+
+#include "image/image.h"
+#include "reference/reference.h"
+#include "scene/scene.h"
+#include "shading/technique.h"
+
+#include <array>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What may be drawn over every view of a picture.
+namespace sandbox {
+
+/// Places are shares of a view's width and height, from its upper left corner.
+struct Marks {
+    std::optional<glm::dvec2> pixel; ///< of the vectors and the loupe
+    bool vectors = false;            ///< a cross at the pixel and, from its point, N, V and every light's L, R or H
+    bool loupe = false;              ///< the pixel and its neighbours, magnified, in a corner
+    std::optional<double> profile;   ///< a line across, at this share of the height
+    bool operator==(const Marks &) const = default;
+};
+
+struct Arrow {
+    glm::dvec2 from, to; ///< places
+    std::array<std::uint8_t, 3> color;
+    std::string name;
+};
+/// The vectors at a pixel as they lie in a view of `aspect` (width / height). `model` says whether R or H is shown.
+std::vector<Arrow> arrows_of(const Scene &scene, Model model, const PixelProbe &probe, double aspect);
+
+constexpr int loupe_across = 21; ///< pixels, odd: the probed one is in the middle
+/// Is there more room for the loupe on the right of the pixel?
+bool loupe_on_the_right(const glm::dvec2 &pixel);
+
+/// Draws the marks over a view, their names in text of `em` pixels, by which the other sizes go.
+void draw_marks(ByteImage &view, const Marks &marks, const std::vector<Arrow> &arrows, double em);
+
+} // namespace sandbox
