@@ -52,24 +52,27 @@ void draw_bottom(Session &session, ViewPainter &painter, BottomPanel &panel, ImV
     ImGui::End();
 }
 
+constexpr const char *first_help = "Drag to orbit, wheel to come closer.  ? lists the keys.";
+
 /// The hint about what the mouse is over or, without one, the last message.
 void status_line(Session &session, float height) {
     StatusLine &status = session.status;
     if (status.message != session.message.text) {
-        status = {session.message.text, session.hint};
+        status = {session.message.text, session.message.text.empty() ? "" : session.hint};
     } else if (status.hidden_hint != session.hint) {
         status.hidden_hint.clear();
     }
     ImGui::SetCursorPosY((height - ImGui::GetTextLineHeight()) / 2);
     const ImVec2 low = ImGui::GetCursorScreenPos();
+    const std::string message = session.message.text.empty() ? first_help : session.message.text;
     describe_text(session, "Status", low,
-                  {low.x + ImGui::GetContentRegionAvail().x, low.y + ImGui::GetTextLineHeight()}, session.message.text);
+                  {low.x + ImGui::GetContentRegionAvail().x, low.y + ImGui::GetTextLineHeight()}, message);
     if (!session.hint.empty() && session.hint != status.hidden_hint) {
         ImGui::TextColored(quiet_text(), "%s", session.hint.c_str());
     } else if (session.message.error) {
-        ImGui::TextColored(error_text(), "%s", session.message.text.c_str());
+        ImGui::TextColored(error_text(), "%s", message.c_str());
     } else {
-        ImGui::TextUnformatted(session.message.text.c_str());
+        ImGui::TextUnformatted(message.c_str());
     }
 }
 
@@ -99,6 +102,7 @@ void draw_frame(Session &session, ViewPainter &painter, BottomPanel &bottom_pane
     }
     ImGui::End();
     ImGui::PopStyleVar();
+    bottom_panel.follow(session, painter);
     if (panels) {
         draw_bottom(session, painter, bottom_panel, {origin.x + side, origin.y}, room, bottom);
     }

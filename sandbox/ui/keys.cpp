@@ -2,21 +2,26 @@
 
 #include "ui/actions.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
 
 #include <GLFW/glfw3.h>
 #include <algorithm>
-#include <fmt/format.h>
 #include <imgui.h>
+#include <iterator>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace sandbox {
 
 namespace {
 
-struct MouseHelp {
-    const char *shown, *help;
+/// A line of the list; a heading has no key.
+struct HelpLine {
+    std::string shown, help;
 };
-constexpr MouseHelp mouse_help[] = {
+const HelpLine mouse_help[] = {
+    {"", "Mouse"},
     {"drag", "orbit around the target"},
     {"right drag", "move across the picture"},
     {"wheel", "closer, farther"},
@@ -26,10 +31,56 @@ constexpr MouseHelp mouse_help[] = {
     {"drop a file", "open a scene, a model or a capture's .json"},
 };
 
-void help_line(const std::string &shown, const std::string &help) {
-    ImGui::TextColored(side_color(false), "%s", shown.c_str());
-    ImGui::SameLine(ImGui::GetFontSize() * 7.5F);
-    ImGui::TextUnformatted(help.c_str());
+std::vector<HelpLine> help_lines() {
+    using Group = Action::Group;
+    std::vector<HelpLine> lines;
+    for (const auto &[group, title] : {std::pair(Group::layout, "Views"), std::pair(Group::key_only, "Keys"),
+                                       std::pair(Group::edit, "Edit"), std::pair(Group::window, "Window and tabs")}) {
+        lines.push_back({"", title});
+        for (const Action &action : actions()) {
+            if (action.group == group && !action.shown.empty()) {
+                const char *colon = action.help.empty() ? "" : ": ";
+                lines.push_back({action.shown, action.name + colon + action.help});
+            }
+        }
+    }
+    lines.insert(lines.end(), std::begin(mouse_help), std::end(mouse_help));
+    return lines;
+}
+
+constexpr float key_ems = 7.5F, column_ems = 34; // of the list, in text heights
+
+void draw_help(const HelpLine &line) {
+    if (line.shown.empty()) {
+        heading(line.help);
+        return;
+    }
+    ImGui::TextColored(side_color(false), "%s", line.shown.c_str());
+    ImGui::SameLine(ImGui::GetFontSize() * key_ems);
+    wrapped_text(ImGui::GetStyleColorVec4(ImGuiCol_Text), line.help);
+}
+
+/// In as many columns as the window is wide for, two at most.
+void draw_help_columns(float width) {
+    const std::vector<HelpLine> lines = help_lines();
+    const bool two = width > 2 * column_ems * ImGui::GetFontSize();
+    const float column = two ? (width - ImGui::GetFontSize()) / 2 : width;
+    const std::size_t first = two ? (lines.size() + 1) / 2 : lines.size();
+    if (!ImGui::BeginTable("keys", two ? 2 : 1, ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_SizingFixedFit)) {
+        return;
+    }
+    for (int i = 0; i < (two ? 2 : 1); ++i) {
+        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, column);
+    }
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        if (i == first) {
+            ImGui::TableNextColumn();
+        }
+        draw_help(lines[i]);
+    }
+    ImGui::EndTable();
 }
 
 } // namespace
@@ -60,26 +111,22 @@ void key_list(Session &session) {
         return;
     }
     const ImGuiViewport &window = *ImGui::GetMainViewport();
-    ImGui::SetNextWindowSizeConstraints({0, 0}, {window.WorkSize.x, window.WorkSize.y - ImGui::GetFrameHeight()});
+    const ImGuiStyle &style = ImGui::GetStyle();
+    const float em = ImGui::GetFontSize();
+    const float beside = 2 * style.WindowPadding.x + style.ScrollbarSize + 2 * style.CellPadding.x;
+    const float width = std::min(window.WorkSize.x - em - beside, 2 * (column_ems + 2) * em);
+    ImGui::SetNextWindowSizeConstraints({width + beside, 0},
+                                        {width + beside, window.WorkSize.y - ImGui::GetFrameHeight()});
     ImGui::SetNextWindowPos(window.GetWorkCenter(), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
     const ImGuiWindowFlags flags = ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse |
                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove;
     if (ImGui::Begin("Keys and mouse", &session.appearance.key_list, flags)) {
-        ImGui::BeginGroup();
-        for (const Action &action : actions()) {
-            if (!action.shown.empty()) {
-                const char *colon = action.help.empty() ? "" : ": ";
-                help_line(action.shown, fmt::format("{}{}{}", action.name, colon, action.help));
-            }
-        }
-        ImGui::EndGroup();
-        ImGui::SameLine(0, ImGui::GetFontSize() * 2);
-        ImGui::BeginGroup();
-        for (const MouseHelp &line : mouse_help) {
-            help_line(line.shown, line.help);
-        }
-        ImGui::EndGroup();
+        draw_help_columns(width);
+        scroll_by_keys();
     }
+    const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    describe_text(session, "Keys", low, {low.x + size.x, low.y + size.y},
+                  ImGui::GetScrollMaxY() > 0 ? "scrolls" : "whole");
     ImGui::End();
 }
 

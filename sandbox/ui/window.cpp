@@ -20,7 +20,8 @@ namespace sandbox {
 
 namespace {
 
-constexpr int settling_frames = 3; // Dear ImGui answers an input over up to three frames
+constexpr int settling_frames = 3;                        // Dear ImGui answers an input over up to three frames
+constexpr double message_seconds = 8, error_seconds = 30; // in the status line
 
 Document first_document(const WindowOptions &options) {
     const Document plain = document_of(options.file.name, options.file.scene, options.left, options.right);
@@ -58,10 +59,7 @@ Window::Window(const WindowOptions &options, Host &host)
     for (std::string &texture : session_.textures) {
         texture.erase(0, std::string("textures/").size());
     }
-    attempt(session_, "", [&] {
-        load(options.file.scene,
-             options.message.empty() ? "Drag to orbit, wheel to come closer.  ? lists the keys." : options.message);
-    });
+    attempt(session_, "", [&] { load(options.file.scene, options.message); });
 }
 
 void Window::step() {
@@ -96,11 +94,29 @@ void Window::take_input() {
         session_.requests.open = arrivals.dropped.front();
     }
     const bool answered = !arrivals.keys.empty() || !arrivals.dropped.empty() || ImGui::IsAnyMouseDown();
-    if (notice_.shown() && (answered || seconds_left() <= 0)) {
+    expire_messages(answered);
+    session_.view.show_right = host_.space_held() && !typing && !ImGui::GetIO().NavVisible; // else Space presses
+}
+
+void Window::expire_messages(bool answered) {
+    const double now = host_.seconds();
+    if (notice_.shown() && (answered || notice_.seconds_left(now) <= 0)) {
         notice_.clear();
         frames_left_ = settling_frames;
     }
-    session_.view.show_right = host_.space_held() && !typing && !ImGui::GetIO().NavVisible; // else Space presses
+    const Message &message = session_.message;
+    if (message.text != timed_message_) {
+        timed_message_ = message.text;
+        message_until_ = message.text.empty() ? INFINITY : now + (message.error ? error_seconds : message_seconds);
+    } else if (now >= message_until_) {
+        session_.message = {};
+        frames_left_ = settling_frames;
+    }
+}
+
+double Window::seconds_left() const {
+    const double now = host_.seconds();
+    return std::min(notice_.seconds_left(now), message_until_ - now);
 }
 
 void Window::draw() {

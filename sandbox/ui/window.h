@@ -12,6 +12,7 @@
 #include "ui/tabs/bottom_panel.h"
 #include "ui/views/view_painter.h"
 
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -28,7 +29,7 @@ struct WindowOptions {
     std::optional<Size> size;            ///< at first; none: as the settings say
     Settings settings;                   ///< as read
     std::filesystem::path settings_file; ///< empty: nothing is kept
-    std::string message;                 ///< in the status line, first; empty: how to begin
+    std::string message;                 ///< in the status line, first
     bool run_times = true;
 };
 
@@ -42,7 +43,7 @@ class Window {
     /// Is another frame needed though nothing arrives?
     [[nodiscard]] bool unsettled() const { return frames_left_ > 0; }
     /// Until a frame is needed though nothing arrives; infinite: none.
-    [[nodiscard]] double seconds_left() const { return notice_.seconds_left(host_.seconds()); }
+    [[nodiscard]] double seconds_left() const;
     /// Does work in the background go on, whose result will be shown?
     [[nodiscard]] bool busy() const;
     /// Keeps what the settings remember.
@@ -54,6 +55,7 @@ class Window {
 
   private:
     void take_input();
+    void expire_messages(bool answered);
     void draw();
     void answer_requests();
     void open(const std::string &name_or_path);
@@ -81,6 +83,8 @@ class Window {
     FileDialog dialog_;
     std::string shown_title_;
     Notice notice_;
+    std::string timed_message_; ///< the status line's, and until when it stands
+    double message_until_ = INFINITY;
     int frames_left_;
 };
 

@@ -164,6 +164,51 @@ shot lower.png
     expect_other("line.png", "lower.png");
 }
 
+TEST_F(ScriptGl, TheListOfKeysFitsOrScrollsByKeys) {
+    EXPECT_PLAYED(play(R"(
+size 1280x720
+key ?
+expect Keys whole
+size 800x500
+expect Keys scrolls
+shot first.png
+key PageDown
+shot second.png
+key Home
+shot back.png
+key Escape
+)"));
+    expect_other("first.png", "second.png");
+    expect_same("first.png", "back.png");
+}
+
+/// 8 seconds: 80 frames of a script, of which each move of the mouse takes three.
+TEST_F(ScriptGl, TheStatusLinesMessagesExpire) {
+    std::string moves;
+    for (int i = 0; i < 14; ++i) {
+        moves += "hover A/picture\nhover Status\n";
+    }
+    EXPECT_PLAYED(play("key Ctrl+C\nexpect Status clipboard\n" + moves + "expect Status \"? lists the keys\"\n"));
+}
+
+TEST_F(ScriptGl, AProbeFollowsTheMouseWithoutPanels) {
+    EXPECT_PLAYED(play(R"(
+key P
+key Tab
+hover A/picture 300 250
+wait
+key F12
+hover A/picture 200 300
+wait
+key F12
+)"));
+    const ProcessResult again =
+        run_sandbox({"capture", folder.file("three-point-lights-002.png.json"), "--out", folder.file("again.png")});
+    EXPECT_EQ(again.exit_code, 0) << again.err;
+    expect_same("again.png", "three-point-lights-002.png");
+    expect_other("again.png", "three-point-lights-001.png");
+}
+
 TEST_F(ScriptGl, FindingsNeverOutliveWhatTheyAreOf) { // masks of one size over a picture of another
     EXPECT_PLAYED(play("key K\nshot masks.png\nkey 4\nwait\nkey 1\nkey 2\nkey 5\nsize 700x500\nkey 1\nwait\n"));
 }

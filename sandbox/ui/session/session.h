@@ -47,7 +47,7 @@ struct Appearance {
     float bottom_share = 0;         ///< of the height of pictures and bottom panel, while it is open; 0: not chosen yet
 };
 
-/// The status line shows it until the next one.
+/// The status line shows it until the next one, or for some seconds.
 struct Message {
     std::string text;
     bool error = false;

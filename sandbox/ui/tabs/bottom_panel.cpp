@@ -63,9 +63,16 @@ float BottomPanel::height(const Session &session, float room) {
     return session.appearance.tab ? std::max(std::floor(room * share), tabs) : tabs;
 }
 
+void BottomPanel::follow(Session &session, ViewPainter &painter) {
+    const auto tab = session.appearance.tab;
+    session.view.overlay = tab ? bottom_tabs[*tab].overlay : Overlay::none;
+    if (tab) {
+        contents_[*tab]->follow(session, painter);
+    }
+}
+
 void BottomPanel::draw(Session &session, ViewPainter &painter, float room) {
     const ImGuiStyle &style = ImGui::GetStyle();
-    session.view.overlay = session.appearance.tab ? bottom_tabs[*session.appearance.tab].overlay : Overlay::none;
     if (session.appearance.tab) {
         ImGui::SetCursorPos({0, 0});
         draggable_edge(session, room);

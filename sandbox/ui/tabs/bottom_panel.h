@@ -13,6 +13,8 @@ class BottomPanel {
 
     /// `room`: the height of pictures and panel together.
     [[nodiscard]] static float height(const Session &session, float room);
+    /// What the open tab draws over the pictures, with or without the panel.
+    void follow(Session &session, ViewPainter &painter);
     /// Fills the current ImGui window.
     void draw(Session &session, ViewPainter &painter, float room);
     /// Does any tab work in the background?

@@ -19,7 +19,9 @@ class TabContent {
     TabContent(const TabContent &) = delete;
     TabContent &operator=(const TabContent &) = delete;
 
-    /// Into the current ImGui window, while the tab is open.
+    /// In every frame while the tab is open, also while the panels are hidden: updates what it draws over the pictures.
+    virtual void follow(Session &, ViewPainter &) {}
+    /// Into the current ImGui window, while the tab is open; after follow().
     virtual void draw(Session &session, ViewPainter &painter) = 0;
     /// Called whenever the window wakes up, also while the tab is closed: is there something new to draw?
     virtual News take_news(Session &) { return News::none; }

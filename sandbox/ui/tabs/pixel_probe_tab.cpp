@@ -16,6 +16,7 @@ namespace {
 /// Every intermediate of the pixel under the mouse, or of the one that a click has pinned.
 class PixelProbeTab final : public TabContent {
   public:
+    void follow(Session &session, ViewPainter &painter) override;
     void draw(Session &session, ViewPainter &painter) override;
     News take_news(Session &session) override;
     [[nodiscard]] bool busy() const override { return job_ != nullptr; }
@@ -26,7 +27,6 @@ class PixelProbeTab final : public TabContent {
         int x = 0, y = 0;
         bool operator==(const Place &) const = default;
     };
-    void update(Session &session, ViewPainter &painter);
     void table(Session &session, const PixelFindings &found);
 
     std::optional<Place> probed_; ///< what the job was asked last
@@ -47,7 +47,7 @@ News PixelProbeTab::take_news(Session &session) {
     return news;
 }
 
-void PixelProbeTab::update(Session &session, ViewPainter &painter) {
+void PixelProbeTab::follow(Session &session, ViewPainter &painter) {
     const auto at = session.view.probed();
     if (!at) {
         return;
@@ -102,8 +102,7 @@ void PixelProbeTab::table(Session &session, const PixelFindings &found) {
     ImGui::EndTable();
 }
 
-void PixelProbeTab::draw(Session &session, ViewPainter &painter) {
-    update(session, painter);
+void PixelProbeTab::draw(Session &session, ViewPainter &) {
     const PixelFindings *found = session.pixel.get();
     if (found == nullptr || !(*found)[Probed::truth_of_a]) {
         wrapped_text(quiet_text(), found == nullptr

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <fmt/format.h>
 #include <fmt/printf.h>
+#include <utility>
 
 namespace sandbox {
 
@@ -251,6 +252,20 @@ void wrapped_text(const ImVec4 &color, const std::string &text) {
 ImTextureID texture_id(unsigned texture) {
     // NOLINTNEXTLINE(performance-no-int-to-ptr): the OpenGL backend takes a texture's name as a pointer
     return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(texture));
+}
+
+void scroll_by_keys() {
+    if (!ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows)) {
+        return;
+    }
+    const float line = ImGui::GetTextLineHeightWithSpacing() * 2, page = ImGui::GetWindowHeight() * 0.8F;
+    for (const auto &[key, step] :
+         {std::pair(ImGuiKey_UpArrow, -line), std::pair(ImGuiKey_DownArrow, line), std::pair(ImGuiKey_PageUp, -page),
+          std::pair(ImGuiKey_PageDown, page), std::pair(ImGuiKey_Home, -1e6F), std::pair(ImGuiKey_End, 1e6F)}) {
+        if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(key))) {
+            ImGui::SetScrollY(std::clamp(ImGui::GetScrollY() + step, 0.0F, ImGui::GetScrollMaxY()));
+        }
+    }
 }
 
 void same_line_if_fits(float width) {

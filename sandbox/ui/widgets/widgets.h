@@ -58,6 +58,8 @@ void heading(std::string_view text);
 void wrapped_text(const ImVec4 &color, const std::string &text);
 /// An OpenGL texture's name as ImGui takes it.
 ImTextureID texture_id(unsigned texture);
+/// Arrows, Page up and down, Home and End scroll the current window, which has nothing to choose, while it has the keys.
+void scroll_by_keys();
 /// Puts the next item on the same line if `width` still fits there.
 void same_line_if_fits(float width);
 /// The width of a button with this label.
