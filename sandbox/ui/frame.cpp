@@ -25,7 +25,27 @@ bool begin_fixed(const char *name, ImVec2 position, ImVec2 size, ImGuiWindowFlag
     return ImGui::Begin(name, nullptr, flags);
 }
 
-float side_width(const ImGuiViewport &window) { return std::min(ImGui::GetFontSize() * 22, window.WorkSize.x * 0.5F); }
+/// Of the panel with its edge.
+float side_width(const Session &session, const ImGuiViewport &window) {
+    const float ems = session.appearance.sizes.side_ems;
+    const float most = window.WorkSize.x * (ems > 0 ? 0.75F : 0.5F); // the pictures keep some room
+    return std::floor(std::min(ImGui::GetFontSize() * (ems > 0 ? ems : 22), most));
+}
+
+/// Between the side panel and the pictures.
+void draw_side_edge(Session &session, ImVec2 position, float height) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+    if (begin_fixed("side edge", position, {edge_thickness(), height}, still_window)) {
+        float &ems = session.appearance.sizes.side_ems;
+        if (panel_edge(session, "side edge", {edge_thickness(), height}, ems,
+                       "Drag to make the panel wider or narrower.")) {
+            ems = std::clamp(ImGui::GetMousePos().x / ImGui::GetFontSize(), least_side_ems, most_side_ems);
+        }
+    }
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+}
 
 /// The only part that scrolls.
 void draw_side(Session &session, ImVec2 position, ImVec2 size) {
@@ -86,12 +106,13 @@ void draw_frame(Session &session, ViewPainter &painter, BottomPanel &bottom_pane
     }
     const ImGuiViewport &window = *ImGui::GetMainViewport(); // less the menu bar
     const float status = panels ? ImGui::GetFrameHeight() : 0;
-    const float side = panels ? side_width(window) : 0;
+    const float side = panels ? side_width(session, window) : 0;
     const ImVec2 origin = window.WorkPos;
     const ImVec2 room{std::max(window.WorkSize.x - side, 32.0F), std::max(window.WorkSize.y - status, 32.0F)};
     const float bottom = panels ? BottomPanel::height(session, room.y) : 0;
     if (panels) {
-        draw_side(session, origin, {side, room.y});
+        draw_side(session, origin, {side - edge_thickness(), room.y});
+        draw_side_edge(session, {origin.x + side - edge_thickness(), origin.y}, room.y);
     }
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     if (begin_fixed("views", {origin.x + side, origin.y}, {room.x, std::max(room.y - bottom, 32.0F)}, still_window)) {

@@ -54,6 +54,7 @@ Window::Window(const WindowOptions &options, Host &host)
     session_.appearance.dark = settings_.dark;
     session_.appearance.panels = settings_.panels;
     session_.appearance.scale = static_cast<float>(settings_.scale);
+    session_.appearance.sizes = settings_.panel_sizes;
     session_.scenes = builtin_scenes(assets_);
     session_.textures = assets_.list("textures/");
     for (std::string &texture : session_.textures) {
@@ -234,6 +235,7 @@ void Window::keep_settings() {
     settings_.dark = session_.appearance.dark;
     settings_.panels = session_.appearance.panels;
     settings_.scale = static_cast<double>(session_.appearance.scale);
+    settings_.panel_sizes = session_.appearance.sizes;
     const Size size = host_.framebuffer_size();
     if (!session_.appearance.full_screen && size.width >= least_window.width && size.height >= least_window.height) {
         const auto scale = static_cast<double>(host_.content_scale());

@@ -367,6 +367,22 @@ expect Status nothing.json
     EXPECT_PLAYED(play("expect Status \"set aside\"\n", {"--settings", "bad.json"}));
 }
 
+/// The edges stop at their limits, the settings keep them, and a right click brings them back.
+TEST_F(ScriptGl, ThePanelsResizeByTheirEdges) {
+    const Arguments kept{"--settings", "settings.json"};
+    EXPECT_PLAYED(play("key P\nhover Status\nshot first.png\ndrag \"side edge\" -60 0\ndrag \"bottom edge\" 0 -80\n"
+                       "hover Status\nshot dragged.png\n",
+                       kept));
+    EXPECT_PLAYED(play("key P\nhover Status\nshot kept.png\nright-click \"side edge\"\nright-click \"bottom edge\"\n"
+                       "hover Status\nshot back.png\n",
+                       kept));
+    expect_other("first.png", "dragged.png");
+    expect_same("dragged.png", "kept.png");
+    expect_same("first.png", "back.png");
+    EXPECT_PLAYED(play("drag \"side edge\" -900 0\ndrag \"side edge\" 900 0\nhover A/picture\n"
+                       "click Technique/A/flat\nexpect A/name flat\n"));
+}
+
 TEST_F(ScriptGl, TheWindowResizes) {
     EXPECT_PLAYED(play("hover Status\nshot first.png\nsize 480x320\nshot small.png\nsize 1000x560\nshot back.png\n"));
     expect_other("first.png", "small.png");

@@ -36,6 +36,14 @@ struct ViewSettings {
     [[nodiscard]] std::optional<glm::dvec2> probed() const { return pinned_pixel ? pinned_pixel : hovered_pixel; }
 };
 
+/// As edges were dragged; 0: not chosen yet.
+struct PanelSizes {
+    float side_ems = 0;     ///< the side panel's width, in text heights
+    float bottom_share = 0; ///< of the height of pictures and bottom panel, while it is open
+    bool operator==(const PanelSizes &) const = default;
+};
+constexpr float least_side_ems = 14, most_side_ems = 60, least_bottom_share = 0.2F, most_bottom_share = 0.85F;
+
 struct Appearance {
     bool dark = true;
     float scale = 1; ///< of text and controls
@@ -44,7 +52,7 @@ struct Appearance {
     bool key_list = false;
     bool run_times = true;          ///< hidden, so that scripted pictures repeat
     std::optional<std::size_t> tab; ///< which of bottom_tabs is open; none: the panel is folded
-    float bottom_share = 0;         ///< of the height of pictures and bottom panel, while it is open; 0: not chosen yet
+    PanelSizes sizes;
 };
 
 /// The status line shows it until the next one, or for some seconds.

@@ -26,6 +26,15 @@ fs::path settings_file() {
     return config.empty() ? config : config / "shading-sandbox" / "settings.json";
 }
 
+namespace {
+
+float panel_size(const nlohmann::json &from, const char *key, float least, float most) {
+    const float size = from.value(key, 0.0F);
+    return size == 0 ? 0 : std::clamp(size, least, most);
+}
+
+} // namespace
+
 Settings read_settings(const fs::path &file, std::string &message) {
     Settings settings;
     std::error_code error;
@@ -38,6 +47,8 @@ Settings read_settings(const fs::path &file, std::string &message) {
         settings.panels = from.value("panels", settings.panels);
         settings.scale = std::clamp(from.value("scale", settings.scale), 0.6, 3.0);
         settings.recent = from.value("recent", settings.recent);
+        settings.panel_sizes.side_ems = panel_size(from, "side_ems", least_side_ems, most_side_ems);
+        settings.panel_sizes.bottom_share = panel_size(from, "bottom_share", least_bottom_share, most_bottom_share);
         const auto size = from.value("window", std::array<int, 2>{settings.window.width, settings.window.height});
         settings.window = {std::clamp(size[0], least_window.width, 16384),
                            std::clamp(size[1], least_window.height, 16384)};
@@ -62,6 +73,8 @@ void write_settings(const fs::path &file, const Settings &settings) {
                                     {"panels", settings.panels},
                                     {"scale", settings.scale},
                                     {"window", {settings.window.width, settings.window.height}},
+                                    {"side_ems", settings.panel_sizes.side_ems},
+                                    {"bottom_share", settings.panel_sizes.bottom_share},
                                     {"recent", settings.recent}};
     write_file(file, to.dump(2) + "\n");
 }

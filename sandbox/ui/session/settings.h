@@ -12,8 +12,9 @@ namespace sandbox {
 struct Settings {
     bool dark = true;
     bool panels = true;
-    double scale = 1;                ///< of text and controls, [0.6, 3]
-    Size window{1280, 720};          ///< [480, 16384] x [320, 16384]
+    double scale = 1;       ///< of text and controls, [0.6, 3]
+    Size window{1280, 720}; ///< [480, 16384] x [320, 16384]
+    PanelSizes panel_sizes;
     std::vector<std::string> recent; ///< absolute paths of files, the last one first; at most most_recent
     bool operator==(const Settings &) const = default;
 };

@@ -12,29 +12,18 @@ namespace sandbox {
 
 namespace {
 
-constexpr float least_share = 0.2F, most_share = 0.85F;
-
 /// Half of the height, or more if that is little, but never all.
 float first_share(float room) { return std::clamp(ImGui::GetFontSize() * 19 / room, 0.5F, 0.68F); }
 
-float edge_height() { return std::max(4.0F, std::floor(ImGui::GetFontSize() * 0.3F)); }
 float tabs_height() { return ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().ItemSpacing.y; }
 
 void draggable_edge(Session &session, float room) {
-    const ImVec2 low = ImGui::GetCursorScreenPos();
-    const ImVec2 size{std::max(ImGui::GetContentRegionAvail().x, 1.0F), edge_height()};
-    ImGui::InvisibleButton("edge", size);
-    const bool active = ImGui::IsItemActive();
-    if (active) {
+    const ImVec2 size{std::max(ImGui::GetContentRegionAvail().x, 1.0F), edge_thickness()};
+    float &share = session.appearance.sizes.bottom_share;
+    if (panel_edge(session, "bottom edge", size, share, "Drag to give the pictures more or less room.")) {
         const float bottom = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
-        session.appearance.bottom_share = std::clamp((bottom - ImGui::GetMousePos().y) / room, least_share, most_share);
+        share = std::clamp((bottom - ImGui::GetMousePos().y) / room, least_bottom_share, most_bottom_share);
     }
-    if (active || ImGui::IsItemHovered()) {
-        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
-        ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + size.x, low.y + size.y},
-                                                  ImGui::GetColorU32(ImGuiCol_SliderGrab));
-    }
-    describe_item(session, "edge", "Drag to give the pictures more or less room.");
 }
 
 void draw_titles(Session &session) {
@@ -58,7 +47,7 @@ BottomPanel::BottomPanel(const DrawingSupplies &supplies) {
 
 float BottomPanel::height(const Session &session, float room) {
     const float tabs = tabs_height();
-    const float chosen = session.appearance.bottom_share;
+    const float chosen = session.appearance.sizes.bottom_share;
     const float share = chosen > 0 ? chosen : first_share(room);
     return session.appearance.tab ? std::max(std::floor(room * share), tabs) : tabs;
 }
@@ -77,7 +66,7 @@ void BottomPanel::draw(Session &session, ViewPainter &painter, float room) {
         ImGui::SetCursorPos({0, 0});
         draggable_edge(session, room);
     }
-    ImGui::SetCursorPos({style.WindowPadding.x, style.ItemSpacing.y + (session.appearance.tab ? edge_height() : 0)});
+    ImGui::SetCursorPos({style.WindowPadding.x, style.ItemSpacing.y + (session.appearance.tab ? edge_thickness() : 0)});
     draw_titles(session);
     if (const auto tab = session.appearance.tab) {
         ImGui::SetCursorPosX(style.WindowPadding.x);

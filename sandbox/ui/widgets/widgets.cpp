@@ -210,6 +210,25 @@ bool toggle_button(Session &session, const std::string &label, bool on, const st
     return clicked;
 }
 
+bool panel_edge(Session &session, std::string_view name, ImVec2 size, float &chosen, const std::string &hint) {
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ScopedId id{std::string(name)};
+    ImGui::InvisibleButton("edge", size);
+    const bool active = ImGui::IsItemActive();
+    if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
+        chosen = 0;
+    }
+    if (active || ImGui::IsItemHovered()) {
+        ImGui::SetMouseCursor(size.x > size.y ? ImGuiMouseCursor_ResizeNS : ImGuiMouseCursor_ResizeEW);
+        ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + size.x, low.y + size.y},
+                                                  ImGui::GetColorU32(ImGuiCol_SliderGrab));
+    }
+    describe_item(session, name, hint + "  Right-click: back.");
+    return active;
+}
+
+float edge_thickness() { return std::max(4.0F, std::floor(ImGui::GetFontSize() * 0.3F)); }
+
 void describe_item(Session &session, std::string_view name, const std::string &hint, std::string text,
                    std::optional<double> value) {
     if (!hint.empty() && (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || ImGui::IsItemActive())) {

@@ -41,6 +41,10 @@ bool checkbox(Session &session, const std::string &label, bool &on, const std::s
 bool radio_button(Session &session, const std::string &label, bool on, const std::string &hint);
 /// A button that stays pressed while `on`.
 bool toggle_button(Session &session, const std::string &label, bool on, const std::string &hint);
+/// The edge of a panel, over `size`: true while it is dragged. A right click sets `chosen` to 0.
+bool panel_edge(Session &session, std::string_view name, ImVec2 size, float &chosen, const std::string &hint);
+/// The thickness of an edge.
+float edge_thickness();
 /// The slider alone: as wide as the next item, over the usual part of the range and as far as `opened`.
 bool slider(Session &session, const Row &row, double &value, double opened);
 
@@ -58,7 +62,8 @@ void heading(std::string_view text);
 void wrapped_text(const ImVec4 &color, const std::string &text);
 /// An OpenGL texture's name as ImGui takes it.
 ImTextureID texture_id(unsigned texture);
-/// Arrows, Page up and down, Home and End scroll the current window, which has nothing to choose, while it has the keys.
+/// Arrows, Page up and down, Home and End scroll the current window, which has nothing to choose, while it has the
+/// keys.
 void scroll_by_keys();
 /// Puts the next item on the same line if `width` still fits there.
 void same_line_if_fits(float width);

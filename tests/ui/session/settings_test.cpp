@@ -19,7 +19,12 @@ class SettingsTest : public testing::Test {
 };
 
 TEST_F(SettingsTest, WhatIsWrittenIsRead) {
-    Settings settings{.dark = false, .panels = false, .scale = 1.5, .window = {1000, 700}, .recent = {"/a.json"}};
+    Settings settings{.dark = false,
+                      .panels = false,
+                      .scale = 1.5,
+                      .window = {1000, 700},
+                      .panel_sizes = {30, 0.5F},
+                      .recent = {"/a.json"}};
     write_settings(folder.path() / "a" / "settings.json", settings); // makes the folder
     EXPECT_EQ(read(), settings);
     EXPECT_EQ(message, "");
@@ -47,6 +52,8 @@ TEST_F(SettingsTest, NumbersOutOfRangeBecomeTheNearest) {
     folder.write("a/settings.json", R"({"scale": 99, "window": [1, 99999]})");
     EXPECT_EQ(read().scale, 3);
     EXPECT_EQ(read().window, (Size{480, 16384}));
+    folder.write("a/settings.json", R"({"side_ems": 1000, "bottom_share": 0.01})");
+    EXPECT_EQ(read().panel_sizes, (PanelSizes{most_side_ems, least_bottom_share}));
 }
 
 TEST_F(SettingsTest, TheLastFilesComeFirstAndOnce) {
