@@ -54,7 +54,7 @@ void draw_side(Session &session, ImVec2 position, ImVec2 size) {
     if (ImGui::GetFrameCount() <= 1) {
         ImGui::SetNextWindowFocus(); // the arrow keys begin here
     }
-    if (begin_fixed("side", position, size, scrolling)) {
+    if (begin_fixed("Side panel", position, size, scrolling)) {
         side_panel(session);
     }
     ImGui::End();
@@ -64,7 +64,7 @@ void draw_side(Session &session, ImVec2 position, ImVec2 size) {
 void draw_bottom(Session &session, ViewPainter &painter, BottomPanel &panel, ImVec2 corner, ImVec2 room, float height) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-    const bool open = begin_fixed("bottom", {corner.x, corner.y + room.y - height}, {room.x, height});
+    const bool open = begin_fixed("Tabs", {corner.x, corner.y + room.y - height}, {room.x, height});
     ImGui::PopStyleVar(2);
     if (open) {
         panel.draw(session, painter, room.y);
@@ -118,7 +118,7 @@ void draw_frame(Session &session, ViewPainter &painter, BottomPanel &bottom_pane
     if (begin_fixed("views", {origin.x + side, origin.y}, {room.x, std::max(room.y - bottom, 32.0F)}, still_window)) {
         viewports(session, painter);
         if (ImGui::IsWindowFocused() && !ImGui::IsAnyItemActive()) {
-            ImGui::SetWindowFocus("side"); // pictures take the mouse, panels the arrow keys
+            ImGui::SetWindowFocus("Side panel"); // pictures take the mouse, panels the arrow keys
         }
     }
     ImGui::End();

@@ -3,6 +3,7 @@
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
 
+#include <GLFW/glfw3.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
@@ -17,7 +18,6 @@ Gui::Gui(Host &host) : host_(host) {
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     io.ConfigInputTextCursorBlink = false; // a blinking cursor would need frames while nothing happens
     host_.begin_gui();
-    io.KeyMap[ImGuiKey_Tab] = -1; // Tab hides the panels
     ImGui_ImplOpenGL3_Init("#version 330 core");
 }
 
@@ -47,6 +47,8 @@ void Gui::begin_frame(const Appearance &appearance) {
     }
     ImGui_ImplOpenGL3_NewFrame();
     host_.feed_gui();
+    ImGuiIO &io = ImGui::GetIO();
+    io.KeyMap[ImGuiKey_Tab] = io.KeyCtrl ? GLFW_KEY_TAB : -1; // Ctrl+Tab goes to the next panel, Tab hides them all
     ImGui::NewFrame();
 }
 

@@ -20,6 +20,13 @@ namespace {
 struct HelpLine {
     std::string shown, help;
 };
+const HelpLine keyboard_help[] = {
+    {"", "Panels by keyboard"},
+    {"Ctrl+Tab", "to another panel or the menu bar"},
+    {"arrows", "to another control; Home, End, Page up and down"},
+    {"Space", "press; into a list"},
+    {"Enter", "type a number; Escape: leave"},
+};
 const HelpLine mouse_help[] = {
     {"", "Mouse"},
     {"drag", "orbit around the target"},
@@ -44,6 +51,7 @@ std::vector<HelpLine> help_lines() {
             }
         }
     }
+    lines.insert(lines.end(), std::begin(keyboard_help), std::end(keyboard_help));
     lines.insert(lines.end(), std::begin(mouse_help), std::end(mouse_help));
     return lines;
 }

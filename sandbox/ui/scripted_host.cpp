@@ -23,6 +23,7 @@ constexpr GuiKey gui_keys[] = {
     {ImGuiKey_Home, GLFW_KEY_HOME},
     {ImGuiKey_End, GLFW_KEY_END},
     {ImGuiKey_Delete, GLFW_KEY_DELETE},
+    {ImGuiKey_Tab, GLFW_KEY_TAB},
     {ImGuiKey_Space, GLFW_KEY_SPACE},
     {ImGuiKey_Backspace, GLFW_KEY_BACKSPACE},
     {ImGuiKey_Enter, GLFW_KEY_ENTER},

@@ -1,36 +1,12 @@
-#include "commands/gl_command_test.h"
+#include "commands/script_gl.h"
 
 #include <chrono>
 #include <filesystem>
 #include <sstream>
 #include <thread>
 
-/// The window, worked by scripts: `view --script` of the built program, which needs no display.
 namespace sandbox {
 namespace {
-
-class ScriptGl : public GlCommandTest {
-  protected:
-    /// Runs `script` in an own folder, so that pictures and captures lie there.
-    ProcessResult play(const std::string &script, const Arguments &more = {}) const {
-        folder.write("script.txt", script);
-        Arguments all{"view", "--script", "script.txt", "--size", "1000x560", "--no-times"};
-        all.insert(all.end(), more.begin(), more.end());
-        return run_sandbox(all, "cd " + folder.path().string() + " && env -u DISPLAY -u WAYLAND_DISPLAY");
-    }
-    void expect_same(const std::string &left, const std::string &right) const {
-        EXPECT_TRUE(folder.read(left) == folder.read(right)) << left << " and " << right << " differ";
-    }
-    void expect_other(const std::string &left, const std::string &right) const {
-        EXPECT_FALSE(folder.read(left) == folder.read(right)) << left << " and " << right << " are the same";
-    }
-};
-
-#define EXPECT_PLAYED(result)                                                                                          \
-    do {                                                                                                               \
-        const ProcessResult played = (result);                                                                         \
-        EXPECT_EQ(played.exit_code, 0) << played.err << played.out;                                                    \
-    } while (false)
 
 TEST_F(ScriptGl, UndoBringsBackWhatClickKeyAndDragChanged) {
     EXPECT_PLAYED(play(R"(
@@ -162,51 +138,6 @@ shot lower.png
 )"));
     expect_other("loupe.png", "plain.png");
     expect_other("line.png", "lower.png");
-}
-
-TEST_F(ScriptGl, TheListOfKeysFitsOrScrollsByKeys) {
-    EXPECT_PLAYED(play(R"(
-size 1280x720
-key ?
-expect Keys whole
-size 800x500
-expect Keys scrolls
-shot first.png
-key PageDown
-shot second.png
-key Home
-shot back.png
-key Escape
-)"));
-    expect_other("first.png", "second.png");
-    expect_same("first.png", "back.png");
-}
-
-/// 8 seconds: 80 frames of a script, of which each move of the mouse takes three.
-TEST_F(ScriptGl, TheStatusLinesMessagesExpire) {
-    std::string moves;
-    for (int i = 0; i < 14; ++i) {
-        moves += "hover A/picture\nhover Status\n";
-    }
-    EXPECT_PLAYED(play("key Ctrl+C\nexpect Status clipboard\n" + moves + "expect Status \"? lists the keys\"\n"));
-}
-
-TEST_F(ScriptGl, AProbeFollowsTheMouseWithoutPanels) {
-    EXPECT_PLAYED(play(R"(
-key P
-key Tab
-hover A/picture 300 250
-wait
-key F12
-hover A/picture 200 300
-wait
-key F12
-)"));
-    const ProcessResult again =
-        run_sandbox({"capture", folder.file("three-point-lights-002.png.json"), "--out", folder.file("again.png")});
-    EXPECT_EQ(again.exit_code, 0) << again.err;
-    expect_same("again.png", "three-point-lights-002.png");
-    expect_other("again.png", "three-point-lights-001.png");
 }
 
 TEST_F(ScriptGl, FindingsNeverOutliveWhatTheyAreOf) { // masks of one size over a picture of another
@@ -365,22 +296,6 @@ expect Status nothing.json
     EXPECT_NE(folder.read("settings.json").find("mine.json"), std::string::npos) << "a recent file";
     folder.write("bad.json", "{");
     EXPECT_PLAYED(play("expect Status \"set aside\"\n", {"--settings", "bad.json"}));
-}
-
-/// The edges stop at their limits, the settings keep them, and a right click brings them back.
-TEST_F(ScriptGl, ThePanelsResizeByTheirEdges) {
-    const Arguments kept{"--settings", "settings.json"};
-    EXPECT_PLAYED(play("key P\nhover Status\nshot first.png\ndrag \"side edge\" -60 0\ndrag \"bottom edge\" 0 -80\n"
-                       "hover Status\nshot dragged.png\n",
-                       kept));
-    EXPECT_PLAYED(play("key P\nhover Status\nshot kept.png\nright-click \"side edge\"\nright-click \"bottom edge\"\n"
-                       "hover Status\nshot back.png\n",
-                       kept));
-    expect_other("first.png", "dragged.png");
-    expect_same("dragged.png", "kept.png");
-    expect_same("first.png", "back.png");
-    EXPECT_PLAYED(play("drag \"side edge\" -900 0\ndrag \"side edge\" 900 0\nhover A/picture\n"
-                       "click Technique/A/flat\nexpect A/name flat\n"));
 }
 
 TEST_F(ScriptGl, TheWindowResizes) {

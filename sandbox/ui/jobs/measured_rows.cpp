@@ -12,8 +12,10 @@ bool is_current(const WorkPrecision &measured, const Scene &shown) {
            std::ranges::find(measured.meshes, shown, &PlannedMesh::scene) != measured.meshes.end();
 }
 
-std::optional<std::size_t> shown_row(const WorkPrecision &measured, const Document &document, bool right) {
-    const Technique &technique = right ? document.right : document.left;
+std::optional<std::size_t> shown_row(const WorkPrecision &measured, const Document &document, bool right,
+                                     std::optional<Model> model) {
+    Technique technique = right ? document.right : document.left;
+    technique.model = model.value_or(technique.model);
     for (std::size_t mesh = 0; mesh < measured.meshes.size(); ++mesh) {
         if (measured.meshes[mesh].scene == document.scene) {
             return find_row(measured, mesh, technique);

@@ -14,8 +14,9 @@ namespace sandbox {
 /// The scene is one of those that were measured, on whichever of its meshes: its numbers hold for what is shown.
 bool is_current(const WorkPrecision &measured, const Scene &shown);
 
-/// The row that a side shows now, if it was measured.
-std::optional<std::size_t> shown_row(const WorkPrecision &measured, const Document &document, bool right);
+/// The row that a side shows now, if it was measured; with `model`, the row of the same technique under that model.
+std::optional<std::size_t> shown_row(const WorkPrecision &measured, const Document &document, bool right,
+                                     std::optional<Model> model = {});
 
 /// Puts a row's technique into A or B and, where the measurement is current, its mesh into the scene, which A and B
 /// share. An edited scene keeps its edits, so then its mesh stays.

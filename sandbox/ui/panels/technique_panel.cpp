@@ -1,5 +1,6 @@
 #include "ui/panels/technique_panel.h"
 #include "ui/session/edits.h"
+#include "ui/session/fault_names.h"
 #include "ui/session/usable_controls.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -69,16 +70,19 @@ const char *idle_side(const Document &document, const TechniqueKey &key, int val
 void label_cell(Session &session, const TechniqueKey &key, int value, bool effect) {
     const Document &document = session.document;
     ImGui::AlignTextToFramePadding();
-    ImGui::TextColored(effect ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : quiet_text(), "%s",
-                       title_of(key, value).c_str());
-    describe_item(session, value_name(key, value), value_hint(key, value));
+    const std::string name = key.is_fault() ? std::string(fault_name(key, value)) : title_of(key, value);
+    wrapped_text(effect ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : quiet_text(), name);
+    describe_item(session, value_name(key, value), value_hint(key, value), name);
     const bool set = key.get(document.left) == value || key.get(document.right) == value;
     if (!effect) {
         remark("no effect here");
     } else if (const char *idle = idle_side(document, key, value)) {
         remark(idle);
-    } else if (set && key.kind != TechniqueKey::Kind::choice) {
-        wrapped_text(quiet_text(), std::string(key.values[static_cast<std::size_t>(value)].look_for));
+    }
+    if (set && key.kind != TechniqueKey::Kind::choice) {
+        const std::string look_for(key.values[static_cast<std::size_t>(value)].look_for);
+        wrapped_text(quiet_text(), look_for);
+        describe_item(session, value_name(key, value) + "/look for", "", look_for);
     }
 }
 

@@ -12,8 +12,8 @@ namespace sandbox {
 
 namespace {
 
-/// Half of the height, or more if that is little, but never all.
-float first_share(float room) { return std::clamp(ImGui::GetFontSize() * 19 / room, 0.5F, 0.68F); }
+/// Half of the height, or a little more if that is little: the pictures stay pictures.
+float first_share(float room) { return std::clamp(ImGui::GetFontSize() * 19 / room, 0.5F, 0.55F); }
 
 float tabs_height() { return ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().ItemSpacing.y; }
 
@@ -72,7 +72,7 @@ void BottomPanel::draw(Session &session, ViewPainter &painter, float room) {
         ImGui::SetCursorPosX(style.WindowPadding.x);
         const ImVec2 size{ImGui::GetContentRegionAvail().x - style.WindowPadding.x, -style.ItemSpacing.y};
         const ScopedName name(session, bottom_tabs[*tab].title);
-        if (ImGui::BeginChild("content", size)) {
+        if (ImGui::BeginChild("content", size, false, ImGuiWindowFlags_NavFlattened)) {
             contents_[*tab]->draw(session, painter);
         }
         ImGui::EndChild();

@@ -21,10 +21,12 @@ class ErrorTimeTab final : public TabContent {
     explicit ErrorTimeTab(const DrawingSupplies &supplies) : supplies_(supplies) {}
     void draw(Session &session, ViewPainter &painter) override;
     News take_news(Session &session) override;
-    [[nodiscard]] bool busy() const override { return job_ != nullptr; }
+    [[nodiscard]] bool busy() const override { return job_ != nullptr || estimating_ != nullptr; }
 
   private:
     void start(Session &session);
+    void estimate(const Session &session, const ViewPainter &painter);
+    void show_estimate(Session &session) const;
     void finish(Session &session);
     void show_measured_model(const WorkPrecision &measured, Model wished);
     void controls(Session &session);
@@ -39,11 +41,15 @@ class ErrorTimeTab final : public TabContent {
     std::optional<ReportRun> run_;   ///< the last one that brought any row
     std::string name_;               ///< of its scene
     std::string failure_;
+    std::optional<Scene> estimated_; ///< the scene that cost_ is of
+    std::optional<RunCost> cost_;
+    std::unique_ptr<CostJob> estimating_; ///< while one runs
 };
 
 void ErrorTimeTab::start(Session &session) {
     try {
         failure_.clear();
+        estimating_.reset();
         running_name_ = session.document.opened->name;
         job_ = start_report(supplies_, session.document.scene, quick_);
     } catch (const std::exception &error) {
@@ -56,7 +62,44 @@ News ErrorTimeTab::take_news(Session &session) {
     if (news == News::result) {
         finish(session);
     }
-    return news;
+    const News estimate = estimating_ ? estimating_->job().take_news() : News::none;
+    if (estimate == News::result) {
+        if (estimating_->job().state() == JobState::done) {
+            cost_ = estimating_->take_result();
+        }
+        estimating_.reset();
+    }
+    return std::max(news, estimate);
+}
+
+/// Once a scene, when all else about it has been found out.
+void ErrorTimeTab::estimate(const Session &session, const ViewPainter &painter) {
+    const Findings *findings = painter.findings();
+    const Scene &scene = session.document.scene;
+    if (!session.appearance.run_times || estimating_ || findings == nullptr || !findings->sides[1].time ||
+        estimated_ == scene) {
+        return;
+    }
+    estimated_ = scene;
+    cost_.reset();
+    try {
+        estimating_ = start_estimate(supplies_, scene);
+    } catch (const std::exception &) {
+        return; // a run says why
+    }
+}
+
+void ErrorTimeTab::show_estimate(Session &session) const {
+    const std::string text = !session.appearance.run_times || estimated_ != session.document.scene ? ""
+                             : cost_       ? "takes " + about_seconds(cost_->seconds(quick_))
+                             : estimating_ ? "estimating how long it takes ..."
+                                           : "";
+    if (!text.empty()) {
+        ImGui::SameLine();
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextColored(quiet_text(), "%s", text.c_str());
+        describe_item(session, "estimate", "Estimated from a few of its rows, on this machine.", text);
+    }
 }
 
 /// Keeps the result of the job, which has ended.
@@ -83,13 +126,11 @@ void ErrorTimeTab::show_measured_model(const WorkPrecision &measured, Model wish
 }
 
 void ErrorTimeTab::controls(Session &session) {
-    if (toggle_button(session, "quick", quick_,
-                      "320x240, up to 64 rings, 5 rounds: an overview in less than a minute.")) {
+    if (toggle_button(session, "quick", quick_, "320x240, up to 64 rings, 5 rounds: an overview.")) {
         quick_ = true;
     }
     ImGui::SameLine(0, 2);
-    if (toggle_button(session, "full", !quick_,
-                      "640x480, up to 512 rings, 21 rounds: figures to quote; takes many minutes.")) {
+    if (toggle_button(session, "full", !quick_, "640x480, up to 512 rings, 21 rounds: figures to quote.")) {
         quick_ = false;
     }
     ImGui::SameLine();
@@ -97,6 +138,7 @@ void ErrorTimeTab::controls(Session &session) {
                "Measures the scene as it is now; times are steadiest while the window is left alone.")) {
         start(session);
     }
+    show_estimate(session);
     if (run_) {
         ImGui::SameLine();
         if (button(session, "Export", "Writes report.html, report.json and report.csv into a new folder.")) {
@@ -113,6 +155,8 @@ void ErrorTimeTab::facts() const {
     wrapped_text(quiet_text(),
                  fmt::format("{}, {}x{}, medians of {} rounds: {}, on {}.", name_, m.options.size.width,
                              m.options.size.height, complete_rounds(m), run_->machine.clock, run_->machine.renderer));
+    wrapped_text(quiet_text(), "N rings: the first sphere (without one: torus, cylinder, grid) is divided into N "
+                               "rings, all others in proportion.");
 }
 
 void ErrorTimeTab::findings(Session &session) {
@@ -141,7 +185,10 @@ void ErrorTimeTab::findings(Session &session) {
     ImGui::EndGroup();
 }
 
-void ErrorTimeTab::draw(Session &session, ViewPainter &) {
+void ErrorTimeTab::draw(Session &session, ViewPainter &painter) {
+    if (!job_) {
+        estimate(session, painter);
+    }
     if (job_) {
         job_progress_row(session, job_->job());
     } else {

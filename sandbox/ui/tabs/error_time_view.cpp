@@ -209,8 +209,13 @@ void error_time_figure(Session &session, const WorkPrecision &measured, const Er
     draw_plot(plot, layout, corner, hovered);
     warning(measured, session.document.scene, {corner.x + static_cast<float>(layout.right), corner.y});
     for (const bool right : {false, true}) {
-        if (const auto row = shown_row(measured, session.document, right)) {
-            draw_ring(layout, corner, *row, right);
+        if (const auto row = shown_row(measured, session.document, right, view.model)) {
+            const bool same = session.technique(right).model == view.model;
+            const std::string name = right ? "B" : "A";
+            const std::string text =
+                same ? name : fmt::format("{} as {}", name, model_values[static_cast<std::size_t>(view.model)].title);
+            draw_ring(layout, corner, *row, right, text);
+            describe_text(session, name, corner, {corner.x + size.x, corner.y + size.y}, text);
         }
     }
     if (hovered) {

@@ -192,7 +192,7 @@ void draw_plot(const PlotRequest &request, const PlotLayout &layout, ImVec2 corn
     }
 }
 
-void draw_ring(const PlotLayout &layout, ImVec2 corner, std::size_t tag, bool right) {
+void draw_ring(const PlotLayout &layout, ImVec2 corner, std::size_t tag, bool right, const std::string &name) {
     const Canvas canvas(layout, corner);
     const float em = ImGui::GetFontSize();
     for (const PlotSeries &series : layout.series) {
@@ -202,7 +202,7 @@ void draw_ring(const PlotLayout &layout, ImVec2 corner, std::size_t tag, bool ri
             canvas.list().AddCircle(at, em * 0.62F, ImGui::GetColorU32(side_color(right)), 0, em * 0.14F);
             const double side = right ? 1 : -1; // both may be at one point
             canvas.text(point->x + side * static_cast<double>(em) * 0.75, point->y - static_cast<double>(em) * 1.1,
-                        right ? 0 : 1, side_color(right), right ? "B" : "A");
+                        right ? 0 : 1, side_color(right), name);
         }
     }
 }

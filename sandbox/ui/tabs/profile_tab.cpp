@@ -78,17 +78,17 @@ void ProfileTab::draw(Session &session, ViewPainter &painter) {
     draw_curve(curves[0], low, high, top, colors[0], em * 0.11F);
     draw_curve(curves[1], low, high, top, colors[1], em * 0.11F);
 
-    ImGui::TextColored(quiet_text(), "luminance along row %d; drag the line in a picture", row);
     const auto at = session.view.hovered_pixel;
     for (std::size_t i = 0; i < curves.size(); ++i) {
         const auto column = at ? static_cast<std::size_t>(at->x * static_cast<double>(curves[i].size())) : 0;
         const std::string value = at && column < curves[i].size() ? fmt::format("  {:.3f}", curves[i][column]) : "";
         const std::string text =
             curves[i].empty() ? fmt::format("{}: not known yet", curve_names[i]) : curve_names[i] + value;
-        ImGui::SameLine(0, em * 1.5F);
         ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(colors[i]), "%s", text.c_str());
         describe_item(session, curve_names[i], "", text);
+        ImGui::SameLine(0, em * 1.5F);
     }
+    ImGui::TextColored(quiet_text(), "luminance along row %d; drag the line in a picture", row);
     if (at) {
         const float x = low.x + static_cast<float>(at->x) * (high.x - low.x);
         list.AddLine({x, low.y}, {x, high.y}, ImGui::GetColorU32(ImGuiCol_TextDisabled));

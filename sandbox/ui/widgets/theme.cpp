@@ -61,8 +61,9 @@ void apply_colors(const Palette &p) {
 bool is_dark() { return ImGui::GetStyle().Colors[ImGuiCol_WindowBg].x < 0.5F; }
 Palette palette() { return is_dark() ? dark_palette() : light_palette(); }
 
-constexpr unsigned dark_series[] = {0xA9B0BA, 0xFF7B8A, 0x5DB7F5, 0x5FD3A0, 0xC79BF0};
-constexpr unsigned light_series[] = {0x7A7F87, 0xD1495B, 0x0072B2, 0x2A9D6A, 0x9A57C8};
+/// No two within 20 of CIELAB for normal, red-blind or green-blind eyes.
+constexpr unsigned dark_series[] = {0x7D7570, 0xFF8A4A, 0x4477FF, 0xB8FFC8, 0xC6B8FF};
+constexpr unsigned light_series[] = {0x8A8A9C, 0xE8254F, 0x0072B2, 0x175A20, 0x7315D9};
 
 } // namespace
 

@@ -88,6 +88,10 @@ TEST(MeasuredRows, ShownAreThoseOfThisMesh) {
     EXPECT_EQ(shown_row(m, document_with(ball(8)), true), 1U);
     EXPECT_FALSE(shown_row(m, document_with(ball(16)), false)) << "flat lambert was not measured";
     EXPECT_FALSE(shown_row(m, document_with(ball(9)), true)) << "stale";
+    Document other = document_with(ball(16));
+    other.right.model = Model::blinn_phong;
+    EXPECT_FALSE(shown_row(m, other, true));
+    EXPECT_EQ(shown_row(m, other, true, Model::phong), 3U) << "the same technique under the plotted model";
 }
 
 TEST(MeasuredRows, WhatIsClickedIsShown) {

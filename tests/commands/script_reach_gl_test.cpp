@@ -1,0 +1,107 @@
+#include "commands/script_gl.h"
+
+/// That everything in the window can be read and reached.
+namespace sandbox {
+namespace {
+
+TEST_F(ScriptGl, TheListOfKeysFitsOrScrollsByKeys) {
+    EXPECT_PLAYED(play(R"(
+size 1280x720
+key ?
+expect Keys whole
+size 800x500
+expect Keys scrolls
+shot first.png
+key PageDown
+shot second.png
+key Home
+shot back.png
+key Escape
+)"));
+    expect_other("first.png", "second.png");
+    expect_same("first.png", "back.png");
+}
+
+/// 8 seconds: 80 frames of a script, of which each move of the mouse takes three.
+TEST_F(ScriptGl, TheStatusLinesMessagesExpire) {
+    std::string moves;
+    for (int i = 0; i < 14; ++i) {
+        moves += "hover A/picture\nhover Status\n";
+    }
+    EXPECT_PLAYED(play("key Ctrl+C\nexpect Status clipboard\n" + moves + "expect Status \"? lists the keys\"\n"));
+}
+
+TEST_F(ScriptGl, AProbeFollowsTheMouseWithoutPanels) {
+    EXPECT_PLAYED(play(R"(
+key P
+key Tab
+hover A/picture 300 250
+wait
+key F12
+hover A/picture 200 300
+wait
+key F12
+)"));
+    const ProcessResult again =
+        run_sandbox({"capture", folder.file("three-point-lights-002.png.json"), "--out", folder.file("again.png")});
+    EXPECT_EQ(again.exit_code, 0) << again.err;
+    expect_same("again.png", "three-point-lights-002.png");
+    expect_other("again.png", "three-point-lights-001.png");
+}
+
+/// The edges stop at their limits, the settings keep them, and a right click brings them back.
+TEST_F(ScriptGl, ThePanelsResizeByTheirEdges) {
+    const Arguments kept{"--settings", "settings.json"};
+    EXPECT_PLAYED(play("key P\nhover Status\nshot first.png\ndrag \"side edge\" -60 0\ndrag \"bottom edge\" 0 -80\n"
+                       "hover Status\nshot dragged.png\n",
+                       kept));
+    EXPECT_PLAYED(play("key P\nhover Status\nshot kept.png\nright-click \"side edge\"\nright-click \"bottom edge\"\n"
+                       "hover Status\nshot back.png\n",
+                       kept));
+    expect_other("first.png", "dragged.png");
+    expect_same("dragged.png", "kept.png");
+    expect_same("first.png", "back.png");
+    EXPECT_PLAYED(play("drag \"side edge\" -900 0\ndrag \"side edge\" 900 0\nhover A/picture\n"
+                       "click Technique/A/flat\nexpect A/name flat\n"));
+}
+
+TEST_F(ScriptGl, AFaultStandsUnderItsNameWithWhatToLookFor) {
+    EXPECT_PLAYED(play(R"(
+click Faults
+expect Faults/gate=none "highlights on the unlit side"
+click Faults/A/gate=none
+expect "Faults/gate=none/look for" "shine through from behind"
+)"));
+}
+
+/// Ctrl+Tab goes from panel to panel, arrows from control to control, Space presses.
+TEST_F(ScriptGl, TheKeyboardReachesPanelsTabsAndMenus) {
+    EXPECT_PLAYED(play(R"(
+hold Ctrl
+key Ctrl+Tab
+release Ctrl
+key Down
+key Right
+key Space
+expect B/name flat
+hold Ctrl
+key Ctrl+Tab
+key Ctrl+Tab
+release Ctrl
+key Space
+key Down
+key Space
+expect Status Opened
+)"));
+}
+
+/// With run times: a run is estimated when all else has been found out.
+TEST_F(ScriptGl, ARunSaysAboutHowLongItWillTake) {
+    folder.write("times.txt", "key E\nexpect \"Error vs run time/estimate\" \"takes about\"\n");
+    const ProcessResult result =
+        run_sandbox({"view", "box-1-colour", "--script", folder.file("times.txt"), "--size", "640x480"});
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+}
+
+} // namespace
+} // namespace sandbox
