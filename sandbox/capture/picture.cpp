@@ -21,16 +21,19 @@ std::vector<std::string> label_texts(const PictureOptions &options) {
     const std::string left =
         options.textbook_left ? fmt::format("textbook's float32, {}", title_of(model_key, model_key.get(options.left)))
                               : title_of(options.left);
-    const std::string a = "A  " + left, b = "B  " + title_of(options.right);
+    const std::string left_mesh = mesh_factor_note(options.mesh_factors[0]);
+    const std::string a = "A  " + left + left_mesh;
+    const std::string b = "B  " + title_of(options.right) + mesh_factor_note(options.mesh_factors[1]);
     switch (options.layout) {
     case Layout::single:
-        return {options.flip == FlipSide::none ? left : options.flip == FlipSide::a ? a : b};
+        return {options.flip == FlipSide::none ? left + left_mesh : options.flip == FlipSide::a ? a : b};
     case Layout::three_up:
-        return {a, b, truth_label(options.left)};
+        return {a, b, truth_label(options.left, options.mesh_factors[0])};
     case Layout::difference:
         if (options.difference_of != DifferenceOf::a_b) {
             const bool right = options.difference_of == DifferenceOf::b_truth;
-            return {right ? b : a, truth_label(right ? options.right : options.left)};
+            return {right ? b : a,
+                    truth_label(right ? options.right : options.left, options.mesh_factors[right ? 1 : 0])};
         }
         break;
     case Layout::side_by_side:
@@ -71,22 +74,27 @@ Strips strips_of(const PictureOptions &options) {
 
 /// One for each view; of a difference, its two pictures.
 std::vector<Image> draw_views(const Scene &scene, const PictureOptions &options, Size room, const Painters &painters) {
+    const Scene left_scene = with_mesh_factor(scene, options.mesh_factors[0]);
+    const Scene right_scene = with_mesh_factor(scene, options.mesh_factors[1]);
     const auto left = [&](Size size) {
-        return (options.textbook_left ? painters.textbook : painters.draw)(scene, options.left, size);
+        return (options.textbook_left ? painters.textbook : painters.draw)(left_scene, options.left, size);
     };
-    const auto right = [&](Size size) { return painters.draw(scene, options.right, size); };
-    const auto truth = [&](const Technique &of, Size size) { return painters.truth(scene, truth_of(of), size); };
+    const auto right = [&](Size size) { return painters.draw(right_scene, options.right, size); };
+    const auto truth = [&](bool of_right, Size size) {
+        return painters.truth(of_right ? right_scene : left_scene, truth_of(of_right ? options.right : options.left),
+                              size);
+    };
     const std::vector<Size> sizes = view_sizes(options.layout, room);
     if (options.layout == Layout::single) {
         return {options.flip == FlipSide::b ? right(room) : left(room)};
     }
     if (options.layout == Layout::difference && options.difference_of != DifferenceOf::a_b) {
         const bool of_right = options.difference_of == DifferenceOf::b_truth;
-        return {of_right ? right(room) : left(room), truth(of_right ? options.right : options.left, room)};
+        return {of_right ? right(room) : left(room), truth(of_right, room)};
     }
     std::vector<Image> views{left(sizes[0]), right(sizes[1])};
     if (options.layout == Layout::three_up) {
-        views.push_back(truth(options.left, sizes[2]));
+        views.push_back(truth(false, sizes[2]));
     }
     return views;
 }
@@ -97,6 +105,7 @@ void mark_views(ByteImage &picture, const Scene &scene, const PictureOptions &op
     if (options.marks == Marks{}) {
         return;
     }
+    const Scene left_scene = with_mesh_factor(scene, options.mesh_factors[0]);
     std::vector<Size> views = view_sizes(options.layout, {options.size.width, rows});
     views.resize(static_cast<std::size_t>(columns_of(options.layout)));
     int left = 0;
@@ -107,7 +116,8 @@ void mark_views(ByteImage &picture, const Scene &scene, const PictureOptions &op
             const auto place = [](double share, int length) {
                 return std::min(static_cast<int>(share * length), length - 1);
             };
-            const auto probe = painters.probe(scene, truth, size, place(at->x, size.width), place(at->y, size.height));
+            const auto probe =
+                painters.probe(left_scene, truth, size, place(at->x, size.width), place(at->y, size.height));
             if (probe) {
                 arrows = arrows_of(scene, truth.model, *probe, static_cast<double>(size.width) / size.height);
             }
@@ -131,8 +141,9 @@ std::string difference_text(double largest) {
                                    : fmt::format("largest {:.3g}", largest);
 }
 
-std::string truth_label(const Technique &technique) {
-    return fmt::format("truth  {}, per pixel, in double", title_of(model_key, model_key.get(technique)));
+std::string truth_label(const Technique &technique, double mesh_factor) {
+    return fmt::format("truth  {}, per pixel, in double{}", title_of(model_key, model_key.get(technique)),
+                       mesh_factor_note(mesh_factor));
 }
 
 std::string_view to_string(DifferenceOf of) { return difference_names[static_cast<std::size_t>(of)]; }

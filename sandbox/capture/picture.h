@@ -2,6 +2,7 @@
 
 #include "capture/layout.h"
 #include "capture/marks.h"
+#include "scene/mesh_factor.h"
 #include "scene/scene.h"
 #include "shading/technique.h"
 
@@ -28,8 +29,8 @@ struct Painters {
 std::pair<const char *, const char *> names_of(DifferenceOf of);
 /// "not finite", "no pixel differs", "largest 0.25".
 std::string difference_text(double largest);
-/// "truth  Phong, per pixel, in double": over the reference that a technique is judged by.
-std::string truth_label(const Technique &technique);
+/// "truth  Phong, per pixel, in double": over the reference that a technique is judged by, on the same mesh.
+std::string truth_label(const Technique &technique, double mesh_factor = 1);
 /// The technique of the reference that a side is judged by: its model, per pixel, every fault off.
 Technique truth_of(const Technique &technique);
 
@@ -48,6 +49,7 @@ struct PictureOptions {
     Layout layout = Layout::single;
     Technique left; ///< Layout::single without flip has this one only
     Technique right;
+    MeshFactors mesh_factors{1, 1}; ///< on the meshes of the left and the right view
     bool textbook_left = false;     ///< the left view is textbook_picture() by the left technique's model
     FlipSide flip = FlipSide::none; ///< Layout::single: which of the two
     Size size{1280, 720};           ///< of the whole picture

@@ -84,6 +84,9 @@ std::string sidecar_text(const Scene &scene, const PictureOptions &options, cons
     if (options.textbook_left) {
         out["textbook_left"] = true;
     }
+    if (options.mesh_factors != MeshFactors{1, 1}) {
+        out["mesh_factors"] = options.mesh_factors;
+    }
     if (options.wireframe) {
         out["wireframe"] = true;
     }
@@ -135,6 +138,9 @@ std::optional<PictureOptions> sidecar_options(std::string_view text, std::string
         options.marks.pixel = {read_share(v.at(0).get<double>()), read_share(v.at(1).get<double>())};
     });
     read("profile", [&](const ordered_json &v) { options.marks.profile = read_share(v.get<double>()); });
+    read("mesh_factors", [&](const ordered_json &v) {
+        options.mesh_factors = {checked_mesh_factor(v.at(0).get<double>()), checked_mesh_factor(v.at(1).get<double>())};
+    });
     read_value("vectors", options.marks.vectors);
     read_value("loupe", options.marks.loupe);
     read_value("wireframe", options.wireframe);

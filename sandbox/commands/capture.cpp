@@ -34,6 +34,7 @@ struct CaptureFlags {
     std::optional<double> gain, exposure, orbit;
     std::optional<int> frames;
     std::optional<DifferenceOf> difference_of;
+    std::optional<MeshFactors> mesh_factors;
     std::optional<glm::dvec2> pixel;
     std::optional<double> profile;
     bool vectors = false;
@@ -52,6 +53,7 @@ void apply_one_view(const CaptureFlags &flags, PictureOptions &options) {
     options.flip = FlipSide::none;
     options.left = options.right = flags.techniques.front();
     options.textbook_left = false;
+    options.mesh_factors = {1, 1};
 }
 
 void apply_two_views(const CaptureFlags &flags, PictureOptions &options) {
@@ -77,6 +79,13 @@ double parse_share(std::string_view text) {
         throw InputError("expected a share of the view from 0 to 1, got '{}'", text);
     }
     return share;
+}
+
+/// One for both views, or that of A and that of B.
+MeshFactors parse_mesh_factors(std::string_view text) {
+    const std::size_t comma = std::min(text.find(','), text.size());
+    const double left = parse_mesh_factor(text.substr(0, comma));
+    return {left, comma == text.size() ? left : parse_mesh_factor(text.substr(comma + 1))};
 }
 
 glm::dvec2 parse_place(std::string_view text) {
@@ -112,6 +121,7 @@ PictureOptions picture_options(const CaptureFlags &flags) {
     options.display = flags.display.value_or(options.display);
     options.gain = flags.gain.value_or(options.gain);
     options.exposure = flags.exposure.value_or(options.exposure);
+    options.mesh_factors = flags.mesh_factors.value_or(options.mesh_factors);
     options.difference_of = flags.difference_of.value_or(options.difference_of);
     options.wireframe = options.wireframe || flags.wireframe;
     take_marks(options.marks, flags);
@@ -241,7 +251,8 @@ int run_capture(const CaptureFlags &flags, const CommonOptions &common) {
     DrawingSession session(common);
     const DrawnBy by{session.context().renderer(), session.context().version()};
     const Painters painters = painters_of(session.renderer(), options.wireframe);
-    if (options.layout == Layout::single || options.textbook_left) {
+    const bool two_meshes = options.mesh_factors[0] != options.mesh_factors[1]; // never the same picture
+    if (options.layout == Layout::single || options.textbook_left || two_meshes) {
         note_no_effect(scene, options.textbook_left || options.flip == FlipSide::b ? options.right : options.left);
     } else {
         note_no_effect(scene, options.left, options.right, session.renderer().resources().load(scene));
@@ -292,6 +303,9 @@ void add_capture(CLI::App &app, CommonOptions &common, Run &run) {
     add_parsed(command, "--display", "linear|srgb", flags->display, parse_display, "Transfer curve of a PNG [linear]");
     add_value(command, "--exposure", "E", flags->exposure,
               "Factor on the colours of a PNG, before the transfer curve [1]");
+    add_parsed(command, "--mesh-factor", "F|A,B", flags->mesh_factors, parse_mesh_factors,
+               "Coarser or finer meshes: factor on rings, segments and divisions, of all views or of A and of B, such "
+               "as 1/4,4 [1]");
     command.add_flag("--wireframe", flags->wireframe, "Draw the triangles' edges over a PNG");
     command.add_flag("--labels", flags->labels, "Write the techniques in a strip above the views");
     command.add_flag("--no-labels", flags->no_labels, "No labels, even if the sidecar asks for them");

@@ -53,7 +53,10 @@ Action switch_flag(int key, const char *shown, const char *name, bool Appearance
             [flag](const Session &s) { return s.appearance.*flag; }};
 }
 
-void exchange_sides(Session &s) { std::swap(s.document.left, s.document.right); }
+void exchange_sides(Session &s) {
+    std::swap(s.document.left, s.document.right);
+    std::swap(s.document.mesh_factors[0], s.document.mesh_factors[1]);
+}
 void reset_scene(Session &s) { s.document.scene = s.document.opened->scene; }
 void switch_wireframe(Session &s) { s.view.wireframe = !s.view.wireframe; }
 void switch_masks(Session &s) { s.view.masks = !s.view.masks; }

@@ -31,6 +31,7 @@ PictureOptions unusual() {
     options.divider = 0.3125;
     options.wireframe = true;
     options.labels = true;
+    options.mesh_factors = {0.25, 2};
     options.view = "from-above";
     return options;
 }

@@ -62,6 +62,30 @@ shot back.png
     expect_same("first.png", "back.png");
 }
 
+TEST_F(ScriptGl, ACoarseMeshStandsBesideAFineOne) {
+    EXPECT_PLAYED(play(R"(
+click Mesh
+expect Mesh/triangles "960 triangles"
+click "Mesh/in A alone/1/4"
+click "Mesh/in B alone/2"
+expect A/name "mesh x 1/4"
+expect B/name "mesh x 2"
+expect View/differ "frequency, mesh"
+expect Mesh/triangles "A: 48 triangles, B: 3968"
+click "Mesh/in A and B/2"
+expect Mesh/rings 32
+expect Mesh/triangles "A: 224 triangles, B: 16128"
+key Ctrl+Z
+expect Mesh/rings 16
+key F12
+)",
+                       {"three-point-lights"}));
+    const std::string sidecar = "three-point-lights-001.png.json";
+    EXPECT_PLAYED(run_sandbox({"capture", sidecar, "--out", "again.png"}, "cd " + folder.path().string() + " && env"));
+    expect_same("three-point-lights-001.png", "again.png");
+    EXPECT_PLAYED(play("expect A/name \"mesh x 1/4\"\n", {sidecar}));
+}
+
 TEST_F(ScriptGl, EveryLayoutShowsSomethingElse) {
     EXPECT_PLAYED(play(R"(
 hover Status

@@ -30,7 +30,8 @@ struct Drawn {
 class Finder {
   public:
     Finder(const SidesShown &shown, Renderer &renderer, JobReporter &reporter)
-        : shown_(shown), renderer_(renderer), reporter_(reporter), resources_(renderer.resources().load(shown.scene)) {}
+        : shown_(shown), renderer_(renderer), reporter_(reporter), scenes_{shown.scene_of(false), shown.scene_of(true)},
+          resources_{renderer.resources().load(scenes_[0]), renderer.resources().load(scenes_[1])} {}
 
     [[nodiscard]] bool stopped() const { return reporter_.cancelled(); }
 
@@ -43,8 +44,7 @@ class Finder {
             try {
                 drawn.frames[right ? 1 : 0] = picture(right, size);
                 drawn.truths[right ? 1 : 0] =
-                    right && technique(false).model == technique(true).model && drawn.truths[0] ? drawn.truths[0]
-                                                                                                : truth(right, size);
+                    right && shown_.one_truth() && drawn.truths[0] ? drawn.truths[0] : truth(right, size);
             } catch (const InputError &error) {
                 side.failure = error.what();
             } catch (const MachineError &error) {
@@ -63,14 +63,14 @@ class Finder {
     void take_times(Findings &findings) {
         Target target(shown_.size);
         std::array<std::vector<double>, 2> samples;
-        FrameClock clock(Context::software(), [&] { renderer_.draw(shown_.scene, technique(true), target); });
+        FrameClock clock(Context::software(), [&] { renderer_.draw(scenes_[1], technique(true), target); });
         const auto end = std::chrono::steady_clock::now() + longest_timing;
         for (int turn = -1; turn < timed_frames && !stopped() && std::chrono::steady_clock::now() < end; ++turn) {
             for (const bool right : {false, true}) {
                 if (!findings.sides[right ? 1 : 0].failure.empty() || (!right && shown_.textbook_left)) {
                     continue;
                 }
-                const double ms = clock.milliseconds([&] { renderer_.draw(shown_.scene, technique(right), target); });
+                const double ms = clock.milliseconds([&] { renderer_.draw(scene(right), technique(right), target); });
                 if (turn >= 0) { // the first warms up
                     samples[right ? 1 : 0].push_back(ms);
                 }
@@ -86,14 +86,16 @@ class Finder {
   private:
     [[nodiscard]] const Technique &technique(bool right) const { return right ? shown_.right : shown_.left; }
 
+    [[nodiscard]] const Scene &scene(bool right) const { return scenes_[right ? 1 : 0]; }
+
     [[nodiscard]] Frame picture(bool right, Size size) {
-        return !right && shown_.textbook_left ? textbook_picture(shown_.scene, resources_, shown_.left, size)
-                                              : renderer_.render(shown_.scene, technique(right), size, true);
+        return !right && shown_.textbook_left ? textbook_picture(scene(right), resources_[0], shown_.left, size)
+                                              : renderer_.render(scene(right), technique(right), size, true);
     }
 
     [[nodiscard]] std::shared_ptr<ReferenceFrame> truth(bool right, Size size) {
-        return std::make_shared<ReferenceFrame>(render_reference(shown_.scene, resources_, truth_of(technique(right)),
-                                                                 size, Surface::mesh,
+        return std::make_shared<ReferenceFrame>(render_reference(scene(right), resources_[right ? 1 : 0],
+                                                                 truth_of(technique(right)), size, Surface::mesh,
                                                                  [this](double) { return !stopped(); }));
     }
 
@@ -109,7 +111,8 @@ class Finder {
     const SidesShown &shown_;
     Renderer &renderer_;
     JobReporter &reporter_;
-    std::vector<ObjectResources> resources_;
+    std::array<Scene, 2> scenes_;
+    std::array<std::vector<ObjectResources>, 2> resources_; ///< held: neither side's meshes evict the other's
 };
 
 } // namespace

@@ -1,9 +1,12 @@
+#include "scene/mesh_factor.h"
 #include "ui/panels/panels.h"
 #include "ui/panels/side_panel.h"
 #include "ui/widgets/property_rows.h"
 #include "ui/widgets/theme.h"
 
+#include <fmt/format.h>
 #include <imgui.h>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -40,19 +43,78 @@ void shape_rows(Session &session, Shape &shape, const Shape &opened) {
     }
 }
 
+constexpr double offered_factors[] = {0.25, 0.5, 1, 2, 4};
+
+/// A row of factors, of which `chosen` stays pressed; the one that is clicked.
+std::optional<double> factor_row(Session &session, const std::string &label, std::optional<double> chosen,
+                                 const std::string &hint) {
+    std::optional<double> clicked;
+    row_label(label);
+    const ScopedName name(session, label);
+    for (const double factor : offered_factors) {
+        if (toggle_button(session, mesh_factor_text(factor), chosen == factor, hint)) {
+            clicked = factor;
+        }
+        ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+    }
+    ImGui::NewLine();
+    return clicked;
+}
+
+/// The objects with the counts that they were opened with, times `factor`.
+std::vector<Object> tessellated(const Session &session, double factor) {
+    std::vector<Object> objects = session.document.scene.objects;
+    const std::vector<Object> &opened = session.document.opened->scene.objects;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        set_tessellation(objects[i].mesh, i < opened.size() ? opened[i].mesh : Shape(objects[i].mesh), factor);
+    }
+    return objects;
+}
+
+void all_meshes(Session &session) {
+    heading("All meshes: rings, segments and divisions times");
+    std::optional<double> all;
+    for (const double factor : offered_factors) {
+        all = !all && tessellated(session, factor) == session.document.scene.objects ? factor : all;
+    }
+    if (const auto clicked = factor_row(session, "in A and B", all,
+                                        "Sets the counts of every shape at once, as multiples of those that the scene "
+                                        "was opened with. Models from files keep their triangles.")) {
+        session.document.scene.objects = tessellated(session, *clicked);
+    }
+    for (const bool right : {false, true}) {
+        double &factor = session.document.mesh_factors[right ? 1 : 0];
+        factor =
+            factor_row(session, right ? "in B alone" : "in A alone", factor,
+                       "A factor on top, for this side only: a coarse mesh beside a fine one. Each side's truth is "
+                       "that of its own mesh.")
+                .value_or(factor);
+    }
+}
+
+std::string triangles_text(const Session &session) {
+    const auto &[a, b] = session.triangles;
+    if (session.object >= a.size() || session.object >= b.size()) {
+        return "";
+    }
+    const std::size_t left = a[session.object], right = b[session.object];
+    return left == right ? fmt::format("{} triangles", left) : fmt::format("A: {} triangles, B: {}", left, right);
+}
+
 } // namespace
 
 void mesh_panel(Session &session) {
     if (!object_choice(session)) {
         return;
     }
+    all_meshes(session);
     Object &object = session.shown_object();
     const Object opened = session.opened_object();
     shape_choice(session, object.mesh, opened.mesh);
     shape_rows(session, object.mesh, opened.mesh);
-    if (session.object < session.triangles.size()) {
-        ImGui::TextColored(quiet_text(), "%zu triangles", session.triangles[session.object]);
-    }
+    const std::string triangles = triangles_text(session);
+    ImGui::TextColored(quiet_text(), "%s", triangles.c_str());
+    describe_item(session, "triangles", "", triangles);
     checkbox(session, "wireframe", session.view.wireframe, "Draws the triangles' edges over both pictures (W).");
     heading("Transform");
     property_rows(session, object.transform, opened.transform);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "image/image.h"
+#include "scene/mesh_factor.h"
 #include "scene/scene.h"
 #include "shading/technique.h"
 
@@ -22,7 +23,8 @@ struct Document {
     Technique left, right;
     /// While A is this technique, it is drawn in a textbook's float32 on the processor instead (textbook_picture()).
     std::optional<Technique> textbook;
-    double exposure = 1; ///< multiplies before the display transfer curve
+    MeshFactors mesh_factors{1, 1}; ///< on the meshes of A and of B
+    double exposure = 1;            ///< multiplies before the display transfer curve
     Display display = Display::linear;
     /// Minimum aspect: narrower views widen the field of view; 0 disables.
     double least_aspect = 1.2;

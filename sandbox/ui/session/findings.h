@@ -2,6 +2,7 @@
 
 #include "measure/metrics/metrics.h"
 #include "measure/work_precision/run.h"
+#include "scene/mesh_factor.h"
 
 #include <array>
 #include <memory>
@@ -19,6 +20,11 @@ struct SidesShown {
     bool textbook_left = false; ///< A is drawn on the processor
     Size size;                  ///< of one view
     int shaders = 0;            ///< counts reloads
+    MeshFactors mesh_factors{1, 1};
+    /// With that side's meshes.
+    [[nodiscard]] Scene scene_of(bool right) const { return with_mesh_factor(scene, mesh_factors[right ? 1 : 0]); }
+    /// Have both sides the same reference?
+    [[nodiscard]] bool one_truth() const { return left.model == right.model && mesh_factors[0] == mesh_factors[1]; }
     bool operator==(const SidesShown &) const = default;
 };
 

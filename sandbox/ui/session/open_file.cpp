@@ -20,6 +20,7 @@ void take_sidecar(OpenedFile &file, const PictureOptions &options) {
     file.capture = true;
     file.left = options.left;
     file.textbook_left = options.textbook_left;
+    file.mesh_factors = options.mesh_factors;
     file.wireframe = options.wireframe;
     file.marks = options.marks;
     if (options.layout != Layout::single || options.flip != FlipSide::none) {
@@ -69,6 +70,7 @@ Document document_from(const OpenedFile &file, const Session &session) {
     if (file.textbook_left) {
         document.textbook = document.left;
     }
+    document.mesh_factors = file.mesh_factors.value_or(now.mesh_factors);
     document.display = file.display.value_or(now.display);
     document.exposure = file.exposure.value_or(now.exposure);
     document.least_aspect = file.capture ? 0 : document.least_aspect; // its field of view has been widened already

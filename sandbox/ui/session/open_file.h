@@ -2,6 +2,7 @@
 
 #include "capture/marks.h"
 #include "scene/assets.h"
+#include "scene/mesh_factor.h"
 #include "ui/session/session.h"
 
 #include <optional>
@@ -16,6 +17,7 @@ struct OpenedFile {
     bool capture = false; ///< a sidecar, which also sets what follows
     std::optional<Technique> left, right;
     bool textbook_left = false;
+    std::optional<MeshFactors> mesh_factors;
     std::optional<Display> display;
     std::optional<double> exposure;
     std::optional<Layout> layout;

@@ -81,20 +81,23 @@ void add_light(std::vector<ProbeRow> &rows, const PixelFindings &found, std::siz
 
 } // namespace
 
-PixelFindings probe_sides(const SidesShown &shown, const std::vector<ObjectResources> &resources, int x, int y) {
+PixelFindings probe_sides(const SidesShown &shown, const SideResources &resources, int x, int y) {
     PixelFindings found{shown, x, y, {}};
-    const auto probe = [&](const Technique &technique) -> std::optional<ProbedPixel> {
+    const std::array scenes{shown.scene_of(false), shown.scene_of(true)};
+    const auto probe = [&](bool right, const Technique &technique) -> std::optional<ProbedPixel> {
+        const Scene &scene = scenes[right ? 1 : 0];
+        const auto &own = resources[right ? 1 : 0];
         try {
-            const auto at = probe_pixel(shown.scene, resources, technique, shown.size, x, y);
-            return at ? std::optional(
-                            ProbedPixel{*at, term_shares(shown.scene, resources, technique, shown.size, x, y)})
+            const auto at = probe_pixel(scene, own, technique, shown.size, x, y);
+            return at ? std::optional(ProbedPixel{*at, term_shares(scene, own, technique, shown.size, x, y)})
                       : std::nullopt;
         } catch (const InputError &) {
             return std::nullopt; // the view says why
         }
     };
-    found.sides = {probe(shown.left), probe(shown.right), probe(truth_of(shown.left)), std::nullopt};
-    found.sides[3] = shown.left.model == shown.right.model ? found.sides[2] : probe(truth_of(shown.right));
+    found.sides = {probe(false, shown.left), probe(true, shown.right), probe(false, truth_of(shown.left)),
+                   std::nullopt};
+    found.sides[3] = shown.one_truth() ? found.sides[2] : probe(true, truth_of(shown.right));
     return found;
 }
 

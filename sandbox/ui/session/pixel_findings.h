@@ -29,8 +29,10 @@ struct PixelFindings {
     }
 };
 
+/// Of A's scene and of B's.
+using SideResources = std::array<std::vector<ObjectResources>, 2>;
 /// Takes some tens of milliseconds.
-PixelFindings probe_sides(const SidesShown &shown, const std::vector<ObjectResources> &resources, int x, int y);
+PixelFindings probe_sides(const SidesShown &shown, const SideResources &resources, int x, int y);
 
 /// "light 2, specular: 0.12, should be 0.61": the term of a side that is farthest from the truth; empty where none
 /// differs by a level of 8 bits or more.

@@ -6,6 +6,7 @@
 #include "ui/session/pixel_findings.h"
 #include "ui/session/widget_map.h"
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -92,11 +93,12 @@ struct Session {
     std::string hint;                           ///< about what the mouse is over; empty: nothing
     std::size_t object = 0;                     ///< whose material and mesh the panels show
     std::shared_ptr<const PixelFindings> pixel; ///< of the probed pixel, while something shows it
-    std::vector<std::size_t> triangles;         ///< of each object, as last drawn
-    bool same_picture = false;                  ///< A and B draw the same picture of the scene, as last drawn
-    std::vector<std::string> scenes;            ///< built-in ones, in the order they are taught
-    std::vector<std::string> textures;          ///< built-in ones
-    WidgetMap widgets;                          ///< for scripts
+    /// Of A and of B: of each object, as last drawn.
+    std::array<std::vector<std::size_t>, 2> triangles;
+    bool same_picture = false;         ///< A and B draw the same picture of the scene, as last drawn
+    std::vector<std::string> scenes;   ///< built-in ones, in the order they are taught
+    std::vector<std::string> textures; ///< built-in ones
+    WidgetMap widgets;                 ///< for scripts
 
     explicit Session(Document first) : document(first), history(std::move(first)) {}
 

@@ -64,6 +64,7 @@ PictureOptions picture_options(const Session &session, Size each) {
     options.left = document.left;
     options.right = document.right;
     options.textbook_left = document.left_is_textbook();
+    options.mesh_factors = document.mesh_factors;
     options.display = document.display;
     options.exposure = document.exposure;
     options.gain = session.view.gain;

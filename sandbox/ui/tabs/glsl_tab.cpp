@@ -34,7 +34,7 @@ std::vector<std::string> origin_names(const StageSource &stage) {
 }
 
 Listing list_program(const Session &session, ViewPainter &painter, bool right) {
-    const Scene &scene = session.document.scene;
+    const Scene scene = with_mesh_factor(session.document.scene, session.document.mesh_factors[right ? 1 : 0]);
     const auto resources = painter.renderer().resources().load(scene);
     const auto objects = prepare_objects(scene, session.technique(right), resources);
     const ProgramSource source = assemble(objects[session.object].program, painter.renderer().parts());

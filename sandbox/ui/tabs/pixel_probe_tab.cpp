@@ -62,7 +62,7 @@ void PixelProbeTab::follow(Session &session, ViewPainter &painter) {
     found_ = std::make_shared<PixelFindings>();
     try {
         job_ = std::make_unique<BackgroundJob>(
-            [place, found = found_, resources = painter.renderer().resources().load(place.shown.scene)](JobReporter &) {
+            [place, found = found_, resources = painter.resources_of(place.shown)](JobReporter &) {
                 *found = probe_sides(place.shown, resources, place.x, place.y);
             },
             wake_window);
@@ -72,7 +72,7 @@ void PixelProbeTab::follow(Session &session, ViewPainter &painter) {
 }
 
 void PixelProbeTab::table(Session &session, const PixelFindings &found) {
-    const bool two_truths = found.of.left.model != found.of.right.model;
+    const bool two_truths = !found.of.one_truth();
     const int columns = two_truths ? 5 : 4;
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV |
                                       ImGuiTableFlags_SizingFixedFit;

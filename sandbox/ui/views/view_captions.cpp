@@ -46,16 +46,19 @@ std::string side_name(const Session &session, bool right) {
     if (const auto colon = text.find(':'); colon != std::string::npos) {
         text.replace(colon, 1, "    ");
     }
-    return (right ? "B   " : "A   ") + text;
+    return (right ? "B   " : "A   ") + text + mesh_factor_note(session.document.mesh_factors[right ? 1 : 0]);
 }
 
-/// The names of the technique keys in which A and B differ.
+/// In what A and B differ.
 std::string differing_keys(const Document &document) {
     std::string names;
     for (const TechniqueKey &key : technique_keys()) {
         if (key.get(document.left) != key.get(document.right)) {
             names += fmt::format("{}{}", names.empty() ? "" : ", ", key.title);
         }
+    }
+    if (document.mesh_factors[0] != document.mesh_factors[1]) {
+        names += names.empty() ? "mesh" : ", mesh";
     }
     return names;
 }
@@ -182,7 +185,8 @@ void draw_captions(Session &session, const ViewPainter &painter, const Rect &pic
 
 void draw_truth_captions(Session &session, const Rect &picture, bool right) {
     draw_text_line(session, "Truth/name", picture, picture.low.y - ImGui::GetFrameHeight(),
-                   ImGui::GetStyleColorVec4(ImGuiCol_Text), truth_label(session.technique(right)), false);
+                   ImGui::GetStyleColorVec4(ImGuiCol_Text),
+                   truth_label(session.technique(right), session.document.mesh_factors[right ? 1 : 0]), false);
 }
 
 void draw_mask_legend(const Session &session, const ViewPainter &painter, const Rect &picture, bool right,

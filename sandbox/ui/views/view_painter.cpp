@@ -34,6 +34,7 @@ bool ViewPainter::paint_side(Side &side, const Key &key, const DisplayKey &displ
             side.drawn = key;
             side.displayed.reset();
             side.shown.error.clear();
+            side.resources = renderer_.resources().load(key.scene);
             if (!side.target || side.target->size() != key.size) {
                 side.target.reset();
                 side.target.emplace(key.size);
@@ -62,6 +63,7 @@ bool ViewPainter::paint_side(Side &side, const Key &key, const DisplayKey &displ
         side.shown.error = error.what();
         side.shown.texture = 0;
         side.displayed = display;
+        side.resources.clear();
     }
     return redraw;
 }
@@ -151,7 +153,8 @@ void ViewPainter::paint_difference(const ViewSettings &view, bool changed) {
 
 SidesShown ViewPainter::sides_shown(const Document &document) const {
     const Size size = view(false).size;
-    return {scene_in_view(document, size), document.left, document.right, document.left_is_textbook(), size, reloads_};
+    return {scene_in_view(document, size), document.left, document.right, document.left_is_textbook(), size, reloads_,
+            document.mesh_factors};
 }
 
 void ViewPainter::paint(const Session &session, Size each) {
@@ -162,7 +165,9 @@ void ViewPainter::paint(const Session &session, Size each) {
     const Scene seen = scene_in_view(document, each);
     for (const bool right : {false, true}) {
         const bool textbook = !right && document.left_is_textbook();
-        const Key key{seen, session.technique(right), each, textbook, view.wireframe, reloads_};
+        const double factor = document.mesh_factors[right ? 1 : 0];
+        const Key key{
+            with_mesh_factor(seen, factor), session.technique(right), each, textbook, view.wireframe, reloads_};
         changed |= paint_side(sides_[right ? 1 : 0], key, display);
     }
     if (findings_ && !(findings_->of == sides_shown(document))) {
@@ -191,23 +196,26 @@ void ViewPainter::measure_difference() {
                                                       target_of(difference_of_, true)->read_color());
 }
 
-std::vector<std::size_t> ViewPainter::triangles(const Scene &scene) {
+std::vector<std::size_t> ViewPainter::triangles(bool right) const {
     std::vector<std::size_t> counts;
-    try {
-        for (const ObjectResources &object : renderer_.resources().load(scene)) {
-            counts.push_back(object.mesh->triangles.size());
-        }
-    } catch (const std::exception &) {
-        counts.clear(); // the view shows the error
+    for (const ObjectResources &object : sides_[right ? 1 : 0].resources) {
+        counts.push_back(object.mesh->triangles.size());
     }
     return counts;
 }
 
+std::array<std::vector<ObjectResources>, 2> ViewPainter::resources_of(const SidesShown &shown) {
+    Resources &resources = renderer_.resources();
+    return {resources.load(shown.scene_of(false)), resources.load(shown.scene_of(true))};
+}
+
 bool ViewPainter::same_picture(const Document &document) {
+    if (document.left_is_textbook() || document.mesh_factors[0] != document.mesh_factors[1]) {
+        return false;
+    }
     try {
-        const auto resources = renderer_.resources().load(document.scene);
-        return !document.left_is_textbook() &&
-               sandbox::same_picture(document.scene, document.left, document.right, resources);
+        const Scene scene = with_mesh_factor(document.scene, document.mesh_factors[0]);
+        return sandbox::same_picture(scene, document.left, document.right, renderer_.resources().load(scene));
     } catch (const std::exception &) {
         return false; // the view shows the error
     }

@@ -51,8 +51,10 @@ class ViewPainter {
     /// Reads both pictures back if they have changed; slow, so not while something is dragged.
     void measure_difference();
 
-    /// Triangles of each object; empty if a mesh cannot be read.
-    [[nodiscard]] std::vector<std::size_t> triangles(const Scene &scene);
+    /// Triangles of each object of a side; empty if a mesh cannot be read.
+    [[nodiscard]] std::vector<std::size_t> triangles(bool right) const;
+    /// Of both sides' scenes. Throws InputError.
+    [[nodiscard]] std::array<std::vector<ObjectResources>, 2> resources_of(const SidesShown &shown);
 
     /// Do A and B draw the same picture of the scene, whatever is ticked?
     [[nodiscard]] bool same_picture(const Document &document);
@@ -83,6 +85,7 @@ class ViewPainter {
         std::optional<Target> target;
         std::optional<DisplayTexture> display;
         PaintedView shown;
+        std::vector<ObjectResources> resources; ///< held, so that the other side's meshes do not evict them
     };
 
     /// A picture made from findings, on the graphics card.

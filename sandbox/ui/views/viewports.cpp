@@ -210,7 +210,7 @@ void viewports(Session &session, ViewPainter &painter) {
     }
     const Rect rect = arrangement.column(0);
     painter.paint(session, pixels_of(rect));
-    session.triangles = painter.triangles(session.document.scene);
+    session.triangles = {painter.triangles(false), painter.triangles(true)};
     session.same_picture = painter.same_picture(session.document);
     if (!ImGui::IsAnyItemActive()) {
         painter.measure_difference();

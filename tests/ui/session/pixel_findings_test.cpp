@@ -23,8 +23,12 @@ SidesShown floor_shown(const char *left, const char *right) {
     return shown;
 }
 
-std::vector<ObjectResources> resources_of(const SidesShown &shown) {
-    return {{std::make_shared<const Mesh>(build_mesh(shown.scene.objects[0].mesh)), nullptr}};
+SideResources resources_of(const SidesShown &shown) {
+    const auto of = [&](bool right) {
+        const auto mesh = std::make_shared<const Mesh>(build_mesh(shown.scene_of(right).objects[0].mesh));
+        return std::vector<ObjectResources>{{mesh, nullptr}};
+    };
+    return {of(false), of(true)};
 }
 
 TEST(PixelFindings, TheCentreOfAFloorHasTheVectorsOfAnyTextbook) {
@@ -38,6 +42,19 @@ TEST(PixelFindings, TheCentreOfAFloorHasTheVectorsOfAnyTextbook) {
     EXPECT_EQ(worst_term(*found[Probed::b], *truth), "") << "per pixel is the truth";
     const std::string worst = worst_term(*found[Probed::a], *truth);
     EXPECT_EQ(worst, "light 1, diffuse: red 0.577, should be 1") << "N.L at the four corners is 1 / sqrt 3";
+}
+
+TEST(PixelFindings, EachSideHasItsOwnMesh) {
+    SidesShown shown = floor_shown("per-vertex/blinn-phong", "per-vertex/blinn-phong");
+    EXPECT_TRUE(shown.one_truth());
+    shown.mesh_factors = {1, 2};
+    EXPECT_FALSE(shown.one_truth());
+    const PixelFindings found = probe_sides(shown, resources_of(shown), 20, 20);
+    ASSERT_TRUE(found[Probed::a] && found[Probed::b] && found[Probed::truth_of_b]);
+    EXPECT_EQ(worst_term(*found[Probed::b], *found[Probed::truth_of_b]), "")
+        << "two divisions: a vertex under the light";
+    EXPECT_EQ(worst_term(*found[Probed::a], *found[Probed::truth_of_a]), "light 1, diffuse: red 0.577, should be 1")
+        << "its only vertices are the corners";
 }
 
 TEST(PixelFindings, RowsNameEveryTermAndCopyAsATable) {
