@@ -75,6 +75,20 @@ std::optional<Turntable> turntable_of(std::string_view text, std::string_view na
     }
 }
 
+std::string motion_sidecar(std::string_view sidecar, const Motion &motion) {
+    nlohmann::ordered_json keys;
+    keys["motion"] = nlohmann::ordered_json::parse(motion_text(motion));
+    return with_keys(sidecar, keys.dump());
+}
+
+std::optional<Motion> motion_of(std::string_view text, std::string_view name) {
+    const auto json = nlohmann::json::parse(text, nullptr, false);
+    if (!json.is_object() || !json.contains("scene") || !json.contains("motion")) {
+        return std::nullopt;
+    }
+    return parse_motion(json.at("motion").dump(), name);
+}
+
 int checked_frames(int frames) {
     if (frames < 1 || frames > 100000) {
         throw InputError("expected 1 to 100000, got {}", frames);

@@ -1,10 +1,12 @@
 #pragma once
 
+#include "scene/motion.h"
+
 #include <optional>
 #include <string>
 #include <string_view>
 
-/// Turntables: the angle and the file name of each frame, and their one sidecar.
+/// Sequences, turntables and motions: the file name of each frame, and their one sidecar.
 namespace sandbox {
 
 /// The turn at frame `i` of `frames`, where `degrees` is the whole turn: degrees * i / frames, so that 360 loops.
@@ -26,6 +28,10 @@ std::string turntable_text(std::string_view first_frame, const Turntable &turnta
 /// The turntable of a sidecar; nothing if `text` is of one picture, or no sidecar. Throws InputError if one of the two
 /// keys is wrong or lacks the other.
 std::optional<Turntable> turntable_of(std::string_view text, std::string_view name);
+/// The sidecar of a motion's round: its scene's (sidecar_text()) with the key motion.
+std::string motion_sidecar(std::string_view sidecar, const Motion &motion);
+/// The motion of a sidecar; nothing if `text` has none. Throws InputError if it is wrong.
+std::optional<Motion> motion_of(std::string_view text, std::string_view name);
 /// Throws InputError unless `frames` is from 1 to 100000.
 int checked_frames(int frames);
 

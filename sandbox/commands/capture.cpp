@@ -174,6 +174,16 @@ std::optional<Turntable> turntable(const CaptureFlags &flags) {
     return turntable;
 }
 
+/// The one that SCENE is the sidecar of, if --out asks for many files and no turntable.
+std::optional<Motion> recorded_motion(const CaptureFlags &flags) {
+    const bool many = is_frame_pattern(flags.out.filename().string());
+    if (!many || flags.frames || flags.orbit || !sidecar_of(flags.scene)) {
+        return std::nullopt;
+    }
+    with_flag("--out", [&] { return frame_name(flags.out.string(), 0); });
+    return motion_of(read_file(flags.scene), flags.scene);
+}
+
 /// What a grid is not made of, or cannot be.
 void refuse_beside_sweep(const CaptureFlags &flags, bool pfm) {
     const std::pair<bool, const char *> refused[] = {
@@ -241,12 +251,12 @@ int run_capture(const CaptureFlags &flags, const CommonOptions &common) {
     }
     PictureOptions options = picture_options(flags);
     const std::optional<Grid> grid = asked_grid(flags, options, pfm);
-    const std::optional<Turntable> turn = turntable(flags);
+    const std::optional<Motion> motion = recorded_motion(flags);
+    const std::optional<Turntable> turn = motion ? std::optional<Turntable>{} : turntable(flags);
     options = grid ? cell_options(options, grid->techniques.front()) : options;
     options.labels = options.labels && !pfm;
     options.wireframe = options.wireframe && !pfm;
-    Scene scene = open_scene(common, flags.scene, flags.view);
-    const Camera camera = scene.camera;
+    const Scene scene = open_scene(common, flags.scene, flags.view);
 
     DrawingSession session(common);
     const DrawnBy by{session.context().renderer(), session.context().version()};
@@ -259,14 +269,18 @@ int run_capture(const CaptureFlags &flags, const CommonOptions &common) {
     }
     ProgressBar bar("capture " + flags.out.filename().string());
     std::string sidecar = sidecar_text(scene, options, by);
-    sidecar = grid ? grid_text(sidecar, *grid) : turn ? turntable_text(sidecar, *turn) : sidecar;
-    const int frames = turn ? turn->frames : 1;
+    sidecar = grid     ? grid_text(sidecar, *grid)
+              : motion ? motion_sidecar(sidecar, *motion)
+              : turn   ? turntable_text(sidecar, *turn)
+                       : sidecar;
+    const int frames = motion ? moments_of(*motion) : turn ? turn->frames : 1;
     for (int i = 0; i < frames; ++i) {
-        scene.camera = turn ? orbit_camera(camera, orbit_degrees(turn->degrees, i, frames)) : camera;
-        const std::filesystem::path path(turn ? frame_name(flags.out.string(), i) : flags.out.string());
-        write_output(path, grid  ? encode_png(draw_grid(scene, *grid, options, painters, bar))
-                           : pfm ? encode_pfm(draw_picture(scene, options, painters))
-                                 : encode_png(show_picture(scene, options, painters)));
+        Scene now = motion ? moved(scene, *motion, i) : scene;
+        now.camera = turn ? orbit_camera(now.camera, orbit_degrees(turn->degrees, i, frames)) : now.camera;
+        const std::filesystem::path path(turn || motion ? frame_name(flags.out.string(), i) : flags.out.string());
+        write_output(path, grid  ? encode_png(draw_grid(now, *grid, options, painters, bar))
+                           : pfm ? encode_pfm(draw_picture(now, options, painters))
+                                 : encode_png(show_picture(now, options, painters)));
         if (i == 0 && !flags.no_sidecar) {
             write_output(sidecar_path(flags.out), sidecar);
         }

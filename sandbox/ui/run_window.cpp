@@ -33,6 +33,7 @@ int run_window(const WindowOptions &options) {
     host.show();
     while (!host.close_asked() && !window.quit_asked()) {
         wait_for_events(window, !options.shaders.folder().empty());
+        window.keep_time();
         window.step();
     }
     host.hide(); // work in the background may take a moment to stop

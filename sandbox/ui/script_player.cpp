@@ -35,6 +35,8 @@ constexpr ScriptAction rows[] = {
     {"drop", "FILE", "drops a file on the window", 1, 1, &Player::drop},
     {"size", "WxH", "resizes the window", 1, 1, &Player::size},
     {"wait", "[SECONDS]", "until nothing is pending; at most so long", 0, 1, &Player::wait},
+    {"play", "MOMENTS", "a motion that plays goes on by so many moments, and by none without this", 1, 1,
+     &Player::play_moments},
     {"expect", "WIDGET TEXT", "nothing is pending and its text holds TEXT, or exit 1", 2, 2, &Player::expect},
     {"shot", "FILE.png", "the window, when nothing is pending", 1, 1, &Player::shot},
     {"list", "[START]", "prints the names of the widgets, and what they show", 0, 1, &Player::list},
@@ -279,6 +281,15 @@ void ScriptPlayer::wait(Words words) {
     }
 }
 
+void ScriptPlayer::play_moments(Words words) {
+    for (auto left = static_cast<int>(number(words[0])); left > 0; --left) {
+        window_.play_moment();
+        settle();
+    }
+    host_.wake();
+    settle();
+}
+
 void ScriptPlayer::expect(Words words) {
     finish();
     const std::string text = widget(words[0]).text;
@@ -316,8 +327,8 @@ void ScriptPlayer::random_action(unsigned dice) {
     }
     std::vector<std::string> names;
     for (const auto &[name, widget] : session.widgets.all()) {
-        if (widget.visible() && !name.ends_with("Export") && name != "Capture" && !name.ends_with("captures") &&
-            !name.ends_with("quit")) {
+        if (widget.visible() && !name.ends_with("Export") && !name.ends_with("sequence") && name != "Capture" &&
+            !name.ends_with("captures") && !name.ends_with("quit")) {
             names.push_back(name);
         }
     }

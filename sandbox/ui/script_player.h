@@ -38,6 +38,7 @@ class ScriptPlayer {
     void drop(Words words);
     void size(Words words);
     void wait(Words words);
+    void play_moments(Words words);
     void expect(Words words);
     void shot(Words words);
     void list(Words words);

@@ -49,14 +49,14 @@ void SideFinder::update(const Session &session, ViewPainter &painter) {
     if (painter.view(false).size.width == 0 || impossible_) {
         return;
     }
-    wanted_ = painter.sides_shown(session.document);
+    wanted_ = painter.sides_shown(shown_document(session));
     if (job_ && job_->state() != JobState::running) {
         job_.reset();
     }
     if (started_ != wanted_) {
         if (job_) {
             job_->cancel(); // its end wakes the window
-        } else if (!ImGui::IsAnyItemActive()) {
+        } else if (!ImGui::IsAnyItemActive() && !session.playback.playing) {
             start(*wanted_);
         }
     }

@@ -10,8 +10,8 @@
 
 namespace sandbox {
 
-/// Finds out about both sides in the background, with a renderer of its own, while nothing is dragged. What is out of
-/// date is stopped.
+/// Finds out about both sides in the background, with a renderer of its own, while nothing is dragged and nothing
+/// plays. What is out of date is stopped.
 class SideFinder {
   public:
     explicit SideFinder(DrawingSupplies supplies) : supplies_(std::move(supplies)) {}

@@ -12,6 +12,7 @@
 #include "ui/views/painters.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <imgui.h>
 #include <utility>
@@ -31,7 +32,8 @@ Document first_document(const WindowOptions &options) {
 /// Writes what the views show, and its sidecar beside it; returns the picture's path. Throws InputError.
 std::filesystem::path capture_views(const Session &session, ViewPainter &painter, const DrawnBy &by) {
     const Size each = painter.view(false).size;
-    const Scene scene = scene_in_view(session.document, each); // so that the sidecar alone gives the same picture
+    const Scene scene =
+        scene_in_view(shown_document(session), each); // so that the sidecar alone gives the same picture
     const PictureOptions options = picture_options(session, each);
     const Painters painters = painters_of(painter.renderer(), options.wireframe);
     auto path = std::filesystem::absolute(free_name(capture_folder(), session.document.opened->name));
@@ -61,6 +63,19 @@ Window::Window(const WindowOptions &options, Host &host)
         texture.erase(0, std::string("textures/").size());
     }
     attempt(session_, "", [&] { load(options.file.scene, options.message); });
+}
+
+void Window::play_moment() {
+    next_moment(session_);
+    frames_left_ = std::max(frames_left_, session_.playback.playing ? 1 : settling_frames);
+}
+
+void Window::keep_time() {
+    const double now = host_.seconds();
+    if (session_.playback.playing && now >= next_moment_at_) {
+        play_moment();
+        next_moment_at_ = std::max(next_moment_at_, now - 1.0 / moments_a_second) + 1.0 / moments_a_second;
+    }
 }
 
 void Window::step() {
@@ -117,7 +132,8 @@ void Window::expire_messages(bool answered) {
 
 double Window::seconds_left() const {
     const double now = host_.seconds();
-    return std::min(notice_.seconds_left(now), message_until_ - now);
+    const double moment = session_.playback.playing ? std::max(next_moment_at_ - now, 0.0) : INFINITY;
+    return std::min({notice_.seconds_left(now), message_until_ - now, moment});
 }
 
 void Window::draw() {

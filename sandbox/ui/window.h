@@ -44,6 +44,10 @@ class Window {
     [[nodiscard]] bool unsettled() const { return frames_left_ > 0; }
     /// Until a frame is needed though nothing arrives; infinite: none.
     [[nodiscard]] double seconds_left() const;
+    /// While a motion plays: goes on by a moment once it is due. A slow machine plays slower, and leaves out none.
+    void keep_time();
+    /// Goes on by a moment now, if a motion plays.
+    void play_moment();
     /// Does work in the background go on, whose result will be shown?
     [[nodiscard]] bool busy() const;
     /// Keeps what the settings remember.
@@ -85,6 +89,7 @@ class Window {
     Notice notice_;
     std::string timed_message_; ///< the status line's, and until when it stands
     double message_until_ = INFINITY;
+    double next_moment_at_ = 0; ///< by the host's clock
     int frames_left_;
 };
 

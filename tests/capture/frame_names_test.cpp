@@ -44,5 +44,14 @@ TEST(Turntable, ItsSidecarHoldsIt) {
     }
 }
 
+TEST(MotionSidecar, HoldsTheMotionBesideTheScene) {
+    const Motion motion{.mover = Mover::light, .index = 2, .from = -30, .to = 30, .course = Course::to_and_fro};
+    const std::string text = motion_sidecar(R"({"techniques": ["flat/phong"], "scene": {}})", motion);
+    EXPECT_EQ(motion_of(text, "a.json"), motion);
+    EXPECT_EQ(motion_of(R"({"techniques": [], "scene": {}})", "a.json"), std::nullopt);
+    EXPECT_EQ(motion_of("no JSON", "a.json"), std::nullopt);
+    EXPECT_THROW(motion_of(R"({"scene": {}, "motion": {"mover": "sun"}})", "a.json"), InputError);
+}
+
 } // namespace
 } // namespace sandbox

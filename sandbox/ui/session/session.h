@@ -4,6 +4,7 @@
 #include "ui/session/document.h"
 #include "ui/session/history.h"
 #include "ui/session/pixel_findings.h"
+#include "ui/session/playback.h"
 #include "ui/session/widget_map.h"
 
 #include <array>
@@ -86,6 +87,7 @@ struct Session {
     Document document;
     History history;
     ViewSettings view;
+    Playback playback;
     Appearance appearance;
     Requests requests;
     Message message;

@@ -39,6 +39,7 @@ struct BottomTab {
 
 std::unique_ptr<TabContent> pixel_probe_tab(const DrawingSupplies &supplies);
 std::unique_ptr<TabContent> profile_tab(const DrawingSupplies &supplies);
+std::unique_ptr<TabContent> motion_tab(const DrawingSupplies &supplies);
 std::unique_ptr<TabContent> error_time_tab(const DrawingSupplies &supplies);
 std::unique_ptr<TabContent> glsl_tab(const DrawingSupplies &supplies);
 std::unique_ptr<TabContent> stability_tab(const DrawingSupplies &supplies);
@@ -47,6 +48,8 @@ std::unique_ptr<TabContent> stability_tab(const DrawingSupplies &supplies);
 constexpr BottomTab bottom_tabs[] = {
     {"Pixel probe", 'P', "All vectors and terms of one pixel, in A, B and the truth", pixel_probe_tab, Overlay::pixel},
     {"Profile", 'L', "A, B and the truth along a line through the pictures", profile_tab, Overlay::profile},
+    {"Motion", 'O', "A light, an object, the camera or any number plays; how far pictures jump from frame to frame",
+     motion_tab},
     {"Error vs run time", 'E', "How far every technique is from the truth, and how long it takes", error_time_tab},
     {"GLSL", 'G', "The programs of A and B beside each other", glsl_tab},
     {"Stability", 'S', "Stiff and extreme scenes, in which a textbook's formulas break", stability_tab},

@@ -52,7 +52,7 @@ void PixelProbeTab::follow(Session &session, ViewPainter &painter) {
     if (!at) {
         return;
     }
-    Place place{painter.sides_shown(session.document), 0, 0};
+    Place place{painter.sides_shown(shown_document(session)), 0, 0};
     place.x = std::min(static_cast<int>(at->x * place.shown.size.width), place.shown.size.width - 1);
     place.y = std::min(static_cast<int>(at->y * place.shown.size.height), place.shown.size.height - 1);
     if (probed_ == place || job_ || place.shown.size.width == 0) {

@@ -158,7 +158,7 @@ SidesShown ViewPainter::sides_shown(const Document &document) const {
 }
 
 void ViewPainter::paint(const Session &session, Size each) {
-    const Document &document = session.document;
+    const Document document = shown_document(session);
     const ViewSettings &view = session.view;
     const DisplayKey display{document.display, document.exposure};
     bool changed = view.difference_of != difference_of_;

@@ -211,8 +211,8 @@ void viewports(Session &session, ViewPainter &painter) {
     const Rect rect = arrangement.column(0);
     painter.paint(session, pixels_of(rect));
     session.triangles = {painter.triangles(false), painter.triangles(true)};
-    session.same_picture = painter.same_picture(session.document);
-    if (!ImGui::IsAnyItemActive()) {
+    session.same_picture = painter.same_picture(shown_document(session));
+    if (!ImGui::IsAnyItemActive() && !session.playback.playing) {
         painter.measure_difference();
     }
     show_layout(session, painter, arrangement);

@@ -1,0 +1,206 @@
+#include "ui/tabs/bottom_tabs.h"
+
+#include "ui/jobs/motion_job.h"
+#include "ui/session/written_files.h"
+#include "ui/tabs/motion_strip.h"
+#include "ui/views/painters.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/widgets.h"
+
+#include <algorithm>
+#include <exception>
+#include <fmt/format.h>
+#include <imgui.h>
+#include <string>
+#include <vector>
+
+namespace sandbox {
+
+namespace {
+
+/// What moves and how, its playing, and how far the pictures jump from moment to moment.
+class MotionTab final : public TabContent {
+  public:
+    explicit MotionTab(const DrawingSupplies &supplies) : supplies_(supplies) {}
+    void draw(Session &session, ViewPainter &painter) override;
+    News take_news(Session &session) override;
+    [[nodiscard]] bool busy() const override { return changes_job_ != nullptr || sequence_job_ != nullptr; }
+
+  private:
+    void find_changes(const Session &session, const ViewPainter &painter);
+    void buttons(Session &session, ViewPainter &painter);
+    void capture(Session &session, ViewPainter &painter);
+
+    DrawingSupplies supplies_;
+    std::optional<Changes> changes_;            ///< the last ones, perhaps not whole
+    std::unique_ptr<ChangesJob> changes_job_;   ///< while one runs
+    std::unique_ptr<SequenceJob> sequence_job_; ///< likewise
+};
+
+std::vector<Motion> offered_motions(const Scene &scene) {
+    std::vector<Motion> all{{.mover = Mover::camera}};
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+        all.push_back({.mover = Mover::light, .index = i});
+    }
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        all.push_back({.mover = Mover::object, .index = i});
+    }
+    for (const SceneNumber &number : numbers_of(scene)) {
+        all.push_back({.mover = Mover::number, .path = number.path});
+    }
+    return all;
+}
+
+void what_moves(Session &session) {
+    const Motion &now = session.playback.motion;
+    const std::vector<Motion> offered = offered_motions(session.document.scene);
+    std::vector<std::string> names;
+    std::ranges::transform(offered, std::back_inserter(names), motion_words);
+    const auto same = [&](const Motion &m) {
+        return m.mover == now.mover && (m.mover == Mover::number ? m.path == now.path : m.index == now.index);
+    };
+    auto chosen = static_cast<std::size_t>(std::ranges::find_if(offered, same) - offered.begin());
+    ImGui::SetNextItemWidth(ImGui::GetFontSize() * 17);
+    if (combo(
+            session, "##what", names, chosen,
+            "What moves: the camera or a light about the camera's target, an object about its own axis, or any number "
+            "of the scene.")) {
+        choose_motion(session, offered[chosen]);
+    }
+}
+
+void course_controls(Session &session) {
+    Motion &motion = session.playback.motion;
+    const bool degrees = motion.mover != Mover::number;
+    Range range{.low = -3600, .high = 3600, .slider = {-360, 360, "%.4g"}};
+    for (const SceneNumber &number : numbers_of(session.document.scene)) {
+        range = !degrees && number.path == motion.path ? number.range : range;
+    }
+    const auto field = [&](const char *name, double &value, const Range &of, const char *hint, double reset) {
+        ImGui::SameLine();
+        ImGui::AlignTextToFramePadding();
+        ImGui::TextUnformatted(name);
+        ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+        ImGui::SetNextItemWidth(ImGui::GetFontSize() * 6);
+        slider(session, {name, of, hint}, value, reset);
+    };
+    field("from", motion.from, range, degrees ? "Degrees, from how the scene has it." : "The number at first.", 0);
+    field("to", motion.to, range, degrees ? "Degrees; 360: once around." : "The number at last, or halfway.",
+          degrees ? 360 : motion.to);
+    field("seconds", motion.seconds, {.low = 0.1, .high = longest_motion, .slider = {1, 30, "%.3g"}},
+          "Of one round, at 30 moments a second: the speed. A slow machine plays slower and leaves out none.", 8);
+    for (const auto &[course, name] : {std::pair(Course::turn, "turn"), std::pair(Course::to_and_fro, "to and fro")}) {
+        ImGui::SameLine(0, course == Course::turn ? -1.0F : 2.0F);
+        if (toggle_button(session, name, motion.course == course,
+                          course == Course::turn ? "From the first to the last, then again from the first."
+                                                 : "From the first to the last and back.")) {
+            motion.course = course;
+        }
+    }
+}
+
+void MotionTab::capture(Session &session, ViewPainter &painter) {
+    attempt(session, "Not captured: ", [&] {
+        const Size each = painter.view(false).size;
+        const PictureOptions options = picture_options(session, each);
+        const auto folder =
+            std::filesystem::absolute(new_folder(capture_folder(), session.document.opened->name + "-motion"));
+        sequence_job_ = start_sequence(
+            supplies_, scene_in_view(session.document, each), session.playback.motion, options, folder,
+            [wireframe = options.wireframe](Renderer &renderer) { return painters_of(renderer, wireframe); });
+    });
+}
+
+void MotionTab::buttons(Session &session, ViewPainter &painter) {
+    const Playback &play = session.playback;
+    if (toggle_button(session, play.playing ? "Pause" : "Play", play.playing,
+                      "Plays, and pauses where it is (A). Undo is not filled: the scene itself stays as it is.")) {
+        play_or_pause(session);
+    }
+    ImGui::SameLine(0, 2);
+    if (button(session, "<", "A moment back (,).")) {
+        step_motion(session, -1);
+    }
+    ImGui::SameLine(0, 2);
+    if (button(session, ">", "A moment on (.).")) {
+        step_motion(session, 1);
+    }
+    ImGui::SameLine(0, 2);
+    if (button(session, "Stop", "Shows the scene itself again, as it was before it moved.")) {
+        stop_motion(session);
+    }
+    ImGui::SameLine(0, 2);
+    ImGui::BeginDisabled(!play.shown);
+    if (button(session, "Keep", "Makes what is shown now the scene, as one step that can be undone, and stops.")) {
+        keep_moment(session);
+    }
+    ImGui::EndDisabled();
+    ImGui::SameLine();
+    if (button(session, "Capture the sequence",
+               "Writes every moment of a round, as the views show it, as PNG files into a new folder, with one sidecar "
+               "that makes them again.")) {
+        capture(session, painter);
+    }
+    ImGui::SameLine();
+    const std::string where =
+        !play.shown ? "the scene itself" : fmt::format("moment {} of {}", play.moment, moments_of(play.motion));
+    ImGui::TextColored(quiet_text(), "%s", where.c_str());
+    describe_item(session, "moment", "", where);
+}
+
+void MotionTab::find_changes(const Session &session, const ViewPainter &painter) {
+    const SidesShown wanted = painter.sides_shown(session.document);
+    if (wanted.size.width == 0 || (changes_ && changes_->of == wanted && changes_->motion == session.playback.motion)) {
+        return;
+    }
+    if (changes_job_) {
+        changes_job_->job().cancel(); // its end wakes the window
+    } else if (!ImGui::IsAnyItemActive()) {
+        try {
+            changes_job_ = std::make_unique<ChangesJob>(supplies_, wanted, session.playback.motion);
+            changes_ = changes_job_->changes();
+        } catch (const std::exception &) {
+            changes_.reset(); // no second OpenGL context: there is no strip
+        }
+    }
+}
+
+News MotionTab::take_news(Session &session) {
+    News news = changes_job_ ? changes_job_->job().take_news() : News::none;
+    if (news != News::none) {
+        changes_ = changes_job_->changes();
+        if (news == News::result) {
+            changes_job_.reset();
+        }
+    }
+    const News sequence = sequence_job_ ? sequence_job_->job().take_news() : News::none;
+    if (sequence == News::result) {
+        session.message = sequence_job_->job().state() == JobState::failed
+                              ? Message{"Not captured: " + sequence_job_->job().error(), true}
+                              : Message{"Captured to " + sequence_job_->take_result().string(), false};
+        sequence_job_.reset();
+    }
+    return std::max(news, sequence);
+}
+
+void MotionTab::draw(Session &session, ViewPainter &painter) {
+    what_moves(session);
+    course_controls(session);
+    if (sequence_job_) {
+        job_progress_row(session, sequence_job_->job());
+    } else {
+        buttons(session, painter);
+    }
+    find_changes(session, painter);
+    if (changes_) {
+        motion_strip(session, *changes_);
+    }
+}
+
+} // namespace
+
+std::unique_ptr<TabContent> motion_tab(const DrawingSupplies &supplies) {
+    return std::make_unique<MotionTab>(supplies);
+}
+
+} // namespace sandbox
