@@ -8,6 +8,7 @@
 #include "ui/widgets/widgets.h"
 
 #include <algorithm>
+#include <cmath>
 #include <imgui.h>
 
 namespace sandbox {
@@ -105,10 +106,11 @@ void draw_frame(Session &session, ViewPainter &painter, BottomPanel &bottom_pane
         menu_bar(session);
     }
     const ImGuiViewport &window = *ImGui::GetMainViewport(); // less the menu bar
-    const float status = panels ? ImGui::GetFrameHeight() : 0;
+    const float status = panels ? std::ceil(ImGui::GetFrameHeight()) : 0;
     const float side = panels ? side_width(session, window) : 0;
-    const ImVec2 origin = window.WorkPos;
-    const ImVec2 room{std::max(window.WorkSize.x - side, 32.0F), std::max(window.WorkSize.y - status, 32.0F)};
+    const ImVec2 origin{window.WorkPos.x, std::floor(window.WorkPos.y)}; // whole pixels, or gaps show between windows
+    const ImVec2 room{std::max(window.WorkSize.x - side, 32.0F),
+                      std::max(std::round(window.WorkPos.y + window.WorkSize.y) - origin.y - status, 32.0F)};
     const float bottom = panels ? BottomPanel::height(session, room.y) : 0;
     if (panels) {
         draw_side(session, origin, {side - edge_thickness(), room.y});

@@ -1,4 +1,5 @@
 #include "commands/script_gl.h"
+#include "image/png.h"
 
 /// That everything in the window can be read and reached.
 namespace sandbox {
@@ -93,6 +94,18 @@ key Down
 key Space
 expect Status Opened
 )"));
+}
+
+/// Text of any size makes panels of any height: no black line of the surface below shows between them.
+TEST_F(ScriptGl, PanelsCoverTheWindowAtEveryScale) {
+    EXPECT_PLAYED(
+        play("key T\nhover Status\nkey Ctrl+-\nshot 1.png\nkey Ctrl+-\nshot 2.png\nkey Ctrl+-\nshot 3.png\n"));
+    for (const char *name : {"1.png", "2.png", "3.png"}) {
+        const Image image = decode_png(folder.read(name), name);
+        for (int y = 0; y < image.size.height; ++y) {
+            EXPECT_GT(image.at(0, y).r, 0.2F) << name << ", row " << y;
+        }
+    }
 }
 
 /// With run times: a run is estimated when all else has been found out.

@@ -15,7 +15,7 @@ namespace {
 /// Half of the height, or a little more if that is little: the pictures stay pictures.
 float first_share(float room) { return std::clamp(ImGui::GetFontSize() * 19 / room, 0.5F, 0.55F); }
 
-float tabs_height() { return ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().ItemSpacing.y; }
+float tabs_height() { return std::ceil(ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().ItemSpacing.y); }
 
 void draggable_edge(Session &session, float room) {
     const ImVec2 size{std::max(ImGui::GetContentRegionAvail().x, 1.0F), edge_thickness()};

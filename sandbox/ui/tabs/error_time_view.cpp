@@ -17,12 +17,16 @@ namespace sandbox {
 
 namespace {
 
+std::string title_of(Frequency frequency) { return std::string(frequency_values[static_cast<int>(frequency)].title); }
+std::string title_of(Model model) { return std::string(model_values[static_cast<int>(model)].title); }
+std::string title_of(ErrorNorm norm) { return std::string(name_of(norm)); }
+
 /// Buttons beside each other; a list that opens if these would take too many lines (`narrow`).
 template <typename Choice>
 void choose(Session &session, const char *id, std::span<const Choice> choices, Choice &chosen, bool narrow,
             const char *hint) {
     std::vector<std::string> names;
-    std::ranges::transform(choices, std::back_inserter(names), [](Choice c) { return std::string(name_of(c)); });
+    std::ranges::transform(choices, std::back_inserter(names), [](Choice c) { return title_of(c); });
     auto index = static_cast<std::size_t>(std::ranges::find(choices, chosen) - choices.begin());
     if (narrow) {
         ImGui::SetNextItemWidth(ImGui::CalcTextSize("99th percentile").x + ImGui::GetFrameHeight() * 1.5F);
@@ -39,7 +43,7 @@ void choose(Session &session, const char *id, std::span<const Choice> choices, C
 }
 
 void legend_entry(Session &session, ErrorTimeView &view, std::size_t series) {
-    const std::string name(name_of(all_frequencies[series]));
+    const std::string name = title_of(all_frequencies[series]);
     const float em = ImGui::GetFontSize();
     const float sample = em * 1.9F;
     const ImVec2 size{sample + ImGui::CalcTextSize(name.c_str()).x + em * 0.3F, ImGui::GetFrameHeight()};
@@ -160,7 +164,7 @@ void technique_cell(Session &session, const WorkPrecision &measured, std::size_t
                 ImGui::GetColorU32(series_color(style)));
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + em * 1.2F);
     const std::string name =
-        fmt::format("{}, {}", name_of(plan.technique.frequency), short_mesh_words(measured.meshes[plan.mesh]));
+        fmt::format("{}, {}", title_of(plan.technique.frequency), short_mesh_words(measured.meshes[plan.mesh]));
     const ScopedId id(row);
     ImGui::Selectable(name.c_str(), false, ImGuiSelectableFlags_SpanAllColumns);
     if (ImGui::IsItemHovered()) {
@@ -212,8 +216,7 @@ void error_time_figure(Session &session, const WorkPrecision &measured, const Er
         if (const auto row = shown_row(measured, session.document, right, view.model)) {
             const bool same = session.technique(right).model == view.model;
             const std::string name = right ? "B" : "A";
-            const std::string text =
-                same ? name : fmt::format("{} as {}", name, model_values[static_cast<std::size_t>(view.model)].title);
+            const std::string text = same ? name : fmt::format("{} as {}", name, title_of(view.model));
             draw_ring(layout, corner, *row, right, text);
             describe_text(session, name, corner, {corner.x + size.x, corner.y + size.y}, text);
         }

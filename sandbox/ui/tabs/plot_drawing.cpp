@@ -201,8 +201,10 @@ void draw_ring(const PlotLayout &layout, ImVec2 corner, std::size_t tag, bool ri
             const ImVec2 at = canvas.at(point->x, point->y);
             canvas.list().AddCircle(at, em * 0.62F, ImGui::GetColorU32(side_color(right)), 0, em * 0.14F);
             const double side = right ? 1 : -1; // both may be at one point
-            canvas.text(point->x + side * static_cast<double>(em) * 0.75, point->y - static_cast<double>(em) * 1.1,
-                        right ? 0 : 1, side_color(right), name);
+            const double width = static_cast<double>(ImGui::CalcTextSize(name.c_str()).x);
+            const double beside = point->x + side * static_cast<double>(em) * 0.75 - (right ? 0 : width);
+            canvas.text(std::clamp(beside, 0.0, std::max(layout.right - width, 0.0)),
+                        point->y - static_cast<double>(em) * 1.1, 0, side_color(right), name);
         }
     }
 }

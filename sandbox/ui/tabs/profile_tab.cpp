@@ -88,7 +88,7 @@ void ProfileTab::draw(Session &session, ViewPainter &painter) {
         describe_item(session, curve_names[i], "", text);
         ImGui::SameLine(0, em * 1.5F);
     }
-    ImGui::TextColored(quiet_text(), "luminance along row %d; drag the line in a picture", row);
+    ImGui::TextColored(quiet_text(), "luminance of row %d; drag the line", row);
     if (at) {
         const float x = low.x + static_cast<float>(at->x) * (high.x - low.x);
         list.AddLine({x, low.y}, {x, high.y}, ImGui::GetColorU32(ImGuiCol_TextDisabled));
