@@ -3,6 +3,7 @@
 #include "image/error.h"
 #include "ui/session/session.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace sandbox {
@@ -73,6 +74,7 @@ void keep_moment(Session &session) {
 
 void choose_motion(Session &session, Motion motion) {
     stop_motion(session);
+    motion.seconds = session.playback.motion.seconds;
     motion.from = 0;
     motion.to = 360;
     motion.course = Course::turn;
@@ -80,7 +82,8 @@ void choose_motion(Session &session, Motion motion) {
         if (motion.mover == Mover::number && number.path == motion.path) {
             const Slider &slider = number.range.slider;
             motion.from = number.value;
-            motion.to = number.value < slider.high ? slider.high : slider.low;
+            const double far = slider.logarithmic ? std::min(slider.high, 8 * number.value) : slider.high;
+            motion.to = number.value < far ? far : slider.low;
             motion.course = Course::to_and_fro;
         }
     }

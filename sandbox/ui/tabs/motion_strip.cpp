@@ -61,11 +61,11 @@ void motion_strip(Session &session, const Changes &changes) {
     const std::size_t done = changes.curves[0].size() + 1;
     const std::string progress =
         static_cast<int>(done) < frame.moments ? fmt::format("; {} of {} moments", done, frame.moments) : "";
-    ImGui::TextColored(quiet_text(), "largest change since the moment before, found aside at %dx%d%s",
-                       changes.size.width, changes.size.height, progress.c_str());
+    ImGui::TextColored(quiet_text(), "largest change since the moment before, at %dx%d%s", changes.size.width,
+                       changes.size.height, progress.c_str());
     for (std::size_t i = 0; i < curve_names.size(); ++i) {
-        ImGui::SameLine(0, em * 1.5F);
         const std::string text = curve_text(session, changes, i);
+        same_line_if_fits(ImGui::CalcTextSize(text.c_str()).x);
         ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(colors[i]), "%s", text.c_str());
         describe_item(session, curve_names[i],
                       "The largest change of any channel of a pixel that shows the same object in both moments.", text);

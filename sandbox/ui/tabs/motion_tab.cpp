@@ -77,10 +77,11 @@ void course_controls(Session &session) {
         range = !degrees && number.path == motion.path ? number.range : range;
     }
     const auto field = [&](const char *name, double &value, const Range &of, const char *hint, double reset) {
-        ImGui::SameLine();
+        const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+        same_line_if_fits(ImGui::CalcTextSize(name).x + gap + ImGui::GetFontSize() * 6);
         ImGui::AlignTextToFramePadding();
         ImGui::TextUnformatted(name);
-        ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
+        ImGui::SameLine(0, gap);
         ImGui::SetNextItemWidth(ImGui::GetFontSize() * 6);
         slider(session, {name, of, hint}, value, reset);
     };
@@ -90,7 +91,7 @@ void course_controls(Session &session) {
     field("seconds", motion.seconds, {.low = 0.1, .high = longest_motion, .slider = {1, 30, "%.3g"}},
           "Of one round, at 30 moments a second: the speed. A slow machine plays slower and leaves out none.", 8);
     for (const auto &[course, name] : {std::pair(Course::turn, "turn"), std::pair(Course::to_and_fro, "to and fro")}) {
-        ImGui::SameLine(0, course == Course::turn ? -1.0F : 2.0F);
+        same_line_if_fits(button_width(name));
         if (toggle_button(session, name, motion.course == course,
                           course == Course::turn ? "From the first to the last, then again from the first."
                                                  : "From the first to the last and back.")) {
@@ -135,15 +136,15 @@ void MotionTab::buttons(Session &session, ViewPainter &painter) {
         keep_moment(session);
     }
     ImGui::EndDisabled();
-    ImGui::SameLine();
+    same_line_if_fits(button_width("Capture the sequence"));
     if (button(session, "Capture the sequence",
                "Writes every moment of a round, as the views show it, as PNG files into a new folder, with one sidecar "
                "that makes them again.")) {
         capture(session, painter);
     }
-    ImGui::SameLine();
     const std::string where =
         !play.shown ? "the scene itself" : fmt::format("moment {} of {}", play.moment, moments_of(play.motion));
+    same_line_if_fits(ImGui::CalcTextSize(where.c_str()).x);
     ImGui::TextColored(quiet_text(), "%s", where.c_str());
     describe_item(session, "moment", "", where);
 }
