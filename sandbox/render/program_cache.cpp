@@ -36,6 +36,11 @@ const GlProgram &ProgramCache::get(const Features &features) {
     return *entry.program;
 }
 
+bool ProgramCache::has(const Features &features) const {
+    const auto found = entries_.find(features);
+    return found != entries_.end() && found->second.program != nullptr && !found->second.stale;
+}
+
 const GlProgram &ProgramCache::wireframe(bool deep) {
     auto found = wireframes_.find(deep);
     if (found == wireframes_.end()) {

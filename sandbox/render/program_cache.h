@@ -16,6 +16,8 @@ class ProgramCache {
 
     /// Throws ShaderError where it cannot be built and no earlier build of the same features can stand in.
     const GlProgram &get(const Features &features);
+    /// Would get() return at once?
+    [[nodiscard]] bool has(const Features &features) const;
     /// One constant colour, for wireframes; `deep` as in Features.
     const GlProgram &wireframe(bool deep);
 

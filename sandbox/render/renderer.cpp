@@ -62,9 +62,8 @@ void set_culling(const Camera &camera, const Object &object, const Mesh &mesh, d
     (back_faces_hidden(camera, aspect, object.transform, mesh) ? glEnable : glDisable)(GL_CULL_FACE);
 }
 
-double aspect_of(const Target &target) {
-    return static_cast<double>(target.size().width) / static_cast<double>(target.size().height);
-}
+double aspect_of(Size size) { return static_cast<double>(size.width) / static_cast<double>(size.height); }
+double aspect_of(const Target &target) { return aspect_of(target.size()); }
 
 } // namespace
 
@@ -101,14 +100,26 @@ struct Renderer::Impl {
         buffers(own.mesh).draw(draw.prepared.needs.attributes);
     }
 
-    void draw(const Scene &scene, const Technique &technique, Target &target, bool guarded) {
-        auto loaded = resources.load(scene);
-        const bool deep = is_deep(scene, loaded);
+    /// What a scene's objects are drawn with.
+    struct Prepared {
+        std::vector<ObjectResources> loaded;
+        std::vector<PreparedObject> objects;
+        bool deep = false;
+    };
+    Prepared prepare(const Scene &scene, const Technique &technique, Size size, bool object_ids, bool guarded) {
+        Prepared prepared{resources.load(scene), {}, false};
+        prepared.deep = is_deep(scene, prepared.loaded);
         if (guarded) {
-            loaded = seen_parts(scene, technique, std::move(loaded), aspect_of(target));
+            prepared.loaded = seen_parts(scene, technique, std::move(prepared.loaded), aspect_of(size));
         }
-        const auto prepared = prepare_objects(
-            scene, technique, loaded, {.object_ids = target.has_object_ids(), .deep = deep, .guarded = guarded});
+        prepared.objects = prepare_objects(scene, technique, prepared.loaded,
+                                           {.object_ids = object_ids, .deep = prepared.deep, .guarded = guarded});
+        return prepared;
+    }
+
+    void draw(const Scene &scene, const Technique &technique, Target &target, bool guarded) {
+        const auto [loaded, prepared, deep] =
+            prepare(scene, technique, target.size(), target.has_object_ids(), guarded);
         const PassState pass(target.framebuffer(), target.size(), DepthTest::on);
         clear(scene, target);
         if (deep) {
@@ -136,6 +147,16 @@ Renderer::~Renderer() = default;
 
 void Renderer::draw(const Scene &scene, const Technique &technique, Target &target) {
     impl_->draw(scene, technique, target, true);
+}
+
+std::vector<Features> Renderer::missing_programs(const Scene &scene, const Technique &technique, Size size) {
+    std::vector<Features> missing;
+    for (const PreparedObject &object : impl_->prepare(scene, technique, size, false, true).objects) {
+        if (!impl_->programs.has(object.program)) {
+            missing.push_back(object.program);
+        }
+    }
+    return missing;
 }
 
 void Renderer::draw_unguarded(const Scene &scene, const Technique &technique, Target &target) {

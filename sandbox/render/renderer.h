@@ -3,6 +3,7 @@
 #include "image/image.h"
 #include "render/target.h"
 #include "scene/resources.h"
+#include "shading/features.h"
 #include "shading/parts.h"
 #include "shading/technique.h"
 
@@ -25,6 +26,8 @@ class Renderer {
     /// Throws InputError if the technique is refused for this scene (too many varyings), ShaderError if a program does
     /// not build and no earlier one of the same view can stand in. Does not wait for the picture (see finish()).
     void draw(const Scene &scene, const Technique &technique, Target &target);
+    /// Those that draw() would have to build first. Throws InputError for what cannot be loaded.
+    [[nodiscard]] std::vector<Features> missing_programs(const Scene &scene, const Technique &technique, Size size);
     /// Without the guards that the scene needs (without_guards()): wrong, to measure what they cost.
     void draw_unguarded(const Scene &scene, const Technique &technique, Target &target);
 

@@ -11,10 +11,12 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <fmt/format.h>
 #include <fstream>
 #include <random>
 #include <thread>
+#include <utility>
 
 namespace sandbox {
 
@@ -40,8 +42,17 @@ constexpr ScriptAction rows[] = {
     {"expect", "WIDGET TEXT", "nothing is pending and its text holds TEXT, or exit 1", 2, 2, &Player::expect},
     {"shot", "FILE.png", "the window, when nothing is pending", 1, 1, &Player::shot},
     {"list", "[START]", "prints the names of the widgets, and what they show", 0, 1, &Player::list},
+    {"longest", "", "prints the CPU time of the window's longest frame since the last such line", 0, 0,
+     &Player::longest},
     {"monkey", "COUNT SEED", "random actions; checks OpenGL's errors, prints the memory in use", 2, 2, &Player::monkey},
 };
+
+/// Of this thread alone: what keeps the window waiting, jobs apart.
+double cpu_milliseconds() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+}
 
 double number(const std::string &word) {
     double value = 0;
@@ -91,17 +102,26 @@ void ScriptPlayer::play(const ScriptLine &line) {
     (this->*find_action(line.words.front())->play)(Words(line.words).subspan(1));
 }
 
-void ScriptPlayer::step() {
-    host_.wake();
+void ScriptPlayer::frame() {
+    const double start = cpu_milliseconds();
     window_.step();
     host_.release_keys();
+    longest_ms_ = std::max(longest_ms_, cpu_milliseconds() - start);
+}
+
+void ScriptPlayer::step() {
+    host_.wake();
+    frame();
+}
+
+void ScriptPlayer::longest(Words /*words*/) {
+    fmt::print("longest frame: {:.1f} ms of CPU\n", std::exchange(longest_ms_, 0));
 }
 
 /// Frames, until the window has answered all input.
 void ScriptPlayer::settle() {
     do {
-        window_.step();
-        host_.release_keys();
+        frame();
     } while (window_.unsettled());
 }
 

@@ -42,6 +42,7 @@ class ScriptPlayer {
     void expect(Words words);
     void shot(Words words);
     void list(Words words);
+    void longest(Words words);
     void monkey(Words words);
 
   private:
@@ -50,6 +51,7 @@ class ScriptPlayer {
     };
     [[nodiscard]] const Widget &widget(const std::string &name);
     [[nodiscard]] Point place(Words words);
+    void frame();
     void step();
     void settle();
     void finish();
@@ -60,6 +62,7 @@ class ScriptPlayer {
 
     Window &window_;
     ScriptedHost &host_;
+    double longest_ms_ = 0; ///< of CPU, a frame
 };
 
 /// A row of what a script may say.

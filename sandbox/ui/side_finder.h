@@ -4,14 +4,15 @@
 #include "ui/session/findings.h"
 #include "ui/views/view_painter.h"
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 
 namespace sandbox {
 
-/// Finds out about both sides in the background, with a renderer of its own, while nothing is dragged and nothing
-/// plays. What is out of date is stopped.
+/// In the background, with a renderer of its own: makes the pictures that the painter awaits and, while nothing is
+/// dragged and nothing plays, finds out about both sides. What is out of date is stopped.
 class SideFinder {
   public:
     explicit SideFinder(DrawingSupplies supplies) : supplies_(std::move(supplies)) {}
@@ -26,13 +27,18 @@ class SideFinder {
     [[nodiscard]] bool busy() const { return job_ != nullptr; }
 
   private:
+    using Work = std::function<void(Renderer &, JobReporter &)>;
+    bool start_job(Work work);
     void start(const SidesShown &shown);
+    void start_making(const SlowPicture &picture);
 
     DrawingSupplies supplies_;
     std::unique_ptr<WorkerContext> context_;
     std::unique_ptr<Renderer> renderer_; ///< lives in that context
     bool impossible_ = false;            ///< there can be no second context
     std::optional<SidesShown> wanted_, started_;
+    std::optional<SlowPicture> made_; ///< or being made by the job
+    std::optional<Image> made_image_; ///< the job's, until it has ended
     std::mutex mutex_;
     std::shared_ptr<const Findings> found_; ///< guarded by mutex_; of started_
     std::unique_ptr<BackgroundJob> job_;    ///< while one runs; last: ends before what it uses

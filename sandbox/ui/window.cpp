@@ -1,6 +1,7 @@
 #include "ui/window.h"
 
 #include "capture/sidecar.h"
+#include "image/error.h"
 #include "image/image_file.h"
 #include "render/context.h"
 #include "scene/scene_file.h"
@@ -29,17 +30,19 @@ Document first_document(const WindowOptions &options) {
     return document_from(options.file, Session(plain));
 }
 
-/// Writes what the views show, and its sidecar beside it; returns the picture's path. Throws InputError.
-std::filesystem::path capture_views(const Session &session, ViewPainter &painter, const DrawnBy &by) {
-    const Size each = painter.view(false).size;
-    const Scene scene =
-        scene_in_view(shown_document(session), each); // so that the sidecar alone gives the same picture
-    const PictureOptions options = picture_options(session, each);
-    const Painters painters = painters_of(painter.renderer(), options.wireframe);
-    auto path = std::filesystem::absolute(free_name(capture_folder(), session.document.opened->name));
-    write_file(path, encode_png(show_picture(scene, options, painters)));
-    write_file(sidecar_path(path), sidecar_text(scene, options, by));
-    return path;
+/// A picture that the views show.
+struct Shown {
+    std::filesystem::path path;
+    Scene scene; ///< as seen, so that the sidecar alone gives the same picture
+    PictureOptions options;
+};
+
+/// Writes it, and its sidecar beside it; returns its path. Throws InputError.
+std::string write_shown(const Shown &shown, Renderer &renderer, const DrawnBy &by) {
+    const Painters painters = painters_of(renderer, shown.options.wireframe);
+    write_file(shown.path, encode_png(show_picture(shown.scene, shown.options, painters)));
+    write_file(sidecar_path(shown.path), sidecar_text(shown.scene, shown.options, by));
+    return shown.path.string();
 }
 
 } // namespace
@@ -47,10 +50,10 @@ std::filesystem::path capture_views(const Session &session, ViewPainter &painter
 Window::Window(const WindowOptions &options, Host &host)
     : assets_(options.assets), polls_shaders_(!options.shaders.folder().empty()),
       host_(host), drawn_by_{host.context().renderer(), host.context().version()}, gui_(host),
-      painter_(options.assets, options.shaders), session_(first_document(options)),
-      bottom_({options.assets, options.shaders, drawn_by_, &host.context()}),
-      finder_({options.assets, options.shaders, drawn_by_, &host.context()}), settings_(options.settings),
-      settings_file_(options.settings_file), frames_left_(settling_frames) {
+      painter_(options.assets, options.shaders),
+      session_(first_document(options)), supplies_{options.assets, options.shaders, drawn_by_, &host.context()},
+      bottom_(supplies_), finder_(supplies_), settings_(options.settings), settings_file_(options.settings_file),
+      frames_left_(settling_frames) {
     show_view(options.file);
     session_.appearance.run_times = options.run_times;
     session_.appearance.dark = settings_.dark;
@@ -86,7 +89,7 @@ void Window::step() {
     }
 }
 
-bool Window::busy() const { return bottom_.busy() || finder_.busy(); }
+bool Window::busy() const { return capturing_ || bottom_.busy() || finder_.busy() || painter_.awaited() != nullptr; }
 
 void Window::take_input() {
     const Arrivals arrivals = host_.take_arrivals();
@@ -97,6 +100,9 @@ void Window::take_input() {
                        : news == News::progress ? 1
                                                 : settling_frames; // few beside a measurement
     frames_left_ = std::max(frames_left_, frames);
+    if (capturing_ && capturing_->job().state() != JobState::running) {
+        end_capture();
+    }
     const bool typing = ImGui::GetIO().WantTextInput;
     if (!ImGui::IsAnyItemActive() || typing) {
         for (const KeyPress &press : arrivals.keys) {
@@ -274,8 +280,34 @@ void Window::load(const Scene &scene, const std::string &message) {
     session_.message = {note.empty() ? message : note, false};
 }
 
+/// Aside, for a truth in it takes a while.
 void Window::capture() {
-    attempt(session_, "Not captured: ", [&] { say_captured(capture_views(session_, painter_, drawn_by_).string()); });
+    if (capturing_) {
+        session_.message = {"The last capture is still being written.", true};
+        return;
+    }
+    attempt(session_, "Not captured: ", [&] {
+        const Size each = painter_.view(false).size;
+        const Shown shown{std::filesystem::absolute(free_name(capture_folder(), session_.document.opened->name)),
+                          scene_in_view(shown_document(session_), each), picture_options(session_, each)};
+        try {
+            capturing_.emplace(supplies_, [shown, by = drawn_by_](Renderer &renderer, JobReporter & /*reporter*/) {
+                return write_shown(shown, renderer, by);
+            });
+        } catch (const MachineError &) { // there can be no second context
+            say_captured(write_shown(shown, painter_.renderer(), drawn_by_));
+        }
+    });
+}
+
+void Window::end_capture() {
+    if (capturing_->job().state() == JobState::done) {
+        say_captured(capturing_->take_result());
+    } else {
+        session_.message = {"Not captured: " + capturing_->job().error(), true};
+    }
+    capturing_.reset();
+    frames_left_ = settling_frames;
 }
 
 /// The frame that has just been drawn.

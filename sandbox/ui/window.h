@@ -65,6 +65,7 @@ class Window {
     void open(const std::string &name_or_path);
     void load(const Scene &scene, const std::string &message);
     void capture();
+    void end_capture();
     void save(const std::string &path);
     void take_opened(const OpenedFile &file);
     void show_view(const OpenedFile &file);
@@ -80,6 +81,7 @@ class Window {
     Gui gui_;
     ViewPainter painter_;
     Session session_;
+    DrawingSupplies supplies_;
     BottomPanel bottom_;
     SideFinder finder_;
     Settings settings_;
@@ -91,6 +93,7 @@ class Window {
     double message_until_ = INFINITY;
     double next_moment_at_ = 0; ///< by the host's clock
     int frames_left_;
+    std::optional<DrawingJob<std::string>> capturing_; ///< gives the file's path
 };
 
 } // namespace sandbox

@@ -179,12 +179,24 @@ TEST_F(ScriptGl, ACaptureRestoresTheView) {
 
 /// The message stands until the next key or click, also with the panels hidden, and is in no picture of the views.
 TEST_F(ScriptGl, ACaptureIsSaidOnThePicture) {
-    EXPECT_PLAYED(play("key Tab\nshot plain.png\nkey F12\nshot said.png\nkey F12\nkey Shift+Tab\nshot gone.png\n"
+    EXPECT_PLAYED(play("key Tab\nshot plain.png\nkey F12\nshot said.png\nkey F12\nwait\nkey Shift+Tab\nshot gone.png\n"
                        "key Shift+F12\n"));
     expect_other("plain.png", "said.png");
     expect_same("plain.png", "gone.png");
     expect_same("three-point-lights-001.png", "three-point-lights-002.png");
     expect_same("plain.png", "three-point-lights-window-001.png");
+}
+
+/// What needs a new program keeps the last picture until that is built aside; then it shows.
+TEST_F(ScriptGl, ANewProgramIsBuiltAside) {
+    EXPECT_PLAYED(play("wait\nshot before.png\nclick \"Lights/+ spot\"\nshot after.png\nlongest\n"
+                       "click \"Lights/4/remove\"\nhover Status\nshot again.png\n"));
+    expect_other("before.png", "after.png");
+}
+
+TEST_F(ScriptGl, ATextbookIsDrawnAside) {
+    EXPECT_PLAYED(play("click Stability\nclick Stability/attenuation-kc-0-on-the-surface\nwait\n"
+                       "expect A/error \"max \"\nkey 4\nshot difference.png\n"));
 }
 
 /// 4 seconds: 40 frames of a script, of which each move of the mouse takes three.

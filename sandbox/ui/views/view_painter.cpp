@@ -1,21 +1,66 @@
 #include "ui/views/view_painter.h"
 
 #include "image/difference.h"
-#include "measure/stability/textbook.h"
 #include "shading/prepared_object.h"
 #include "ui/views/painters.h"
 
+#include <algorithm>
 #include <exception>
 #include <utility>
 
 namespace sandbox {
 
-void ViewPainter::draw_textbook(Side &side, const Key &key) {
-    if (key.wireframe) {
-        renderer_.draw(key.scene, key.technique, *side.target); // the depth that hides lines
+/// Nothing where it can be drawn at once, or fails at once.
+std::optional<SlowPicture> ViewPainter::slow_picture(const Side &side, const Key &key) {
+    SlowPicture slow{&side == &sides_[1], key.textbook, key.scene, key.technique, key.size, {}};
+    if (key.textbook) {
+        Key without_wires = key;
+        without_wires.wireframe = false;
+        return side.textbook && side.textbook->first == without_wires ? std::nullopt : std::optional(slow);
     }
-    const auto resources = renderer_.resources().load(key.scene);
-    side.target->write_color(textbook_picture(key.scene, resources, key.technique, key.size).color);
+    if (!waits_ || !side.drawn) {
+        return std::nullopt; // the first picture comes as soon as it can
+    }
+    try {
+        slow.programs = renderer_.missing_programs(key.scene, key.technique, key.size);
+    } catch (const std::exception &) {
+        return std::nullopt;
+    }
+    const bool built = std::ranges::all_of(slow.programs, [&](const Features &f) { return built_aside_.contains(f); });
+    return built ? std::nullopt : std::optional(slow);
+}
+
+const SlowPicture *ViewPainter::awaited() const {
+    for (const Side &side : sides_) {
+        if (side.awaited) {
+            return &*side.awaited;
+        }
+    }
+    return nullptr;
+}
+
+void ViewPainter::made_aside(const SlowPicture &picture, const std::optional<Image> &image) {
+    built_aside_.insert(picture.programs.begin(), picture.programs.end());
+    Side &side = sides_[picture.right ? 1 : 0];
+    side.awaited.reset();
+    if (picture.textbook) { // without an image it has failed, and drawing it says why
+        const Key key{picture.scene, picture.technique, picture.size, true, false, reloads_};
+        side.textbook = {key, image.value_or(Image())};
+    }
+}
+
+void ViewPainter::draw_side(Side &side, const Key &key) {
+    if (!side.target || side.target->size() != key.size) {
+        side.target.reset();
+        side.target.emplace(key.size);
+        side.display.emplace(key.size);
+    }
+    if (!key.textbook || key.wireframe) { // a wireframe needs the depth that hides lines
+        renderer_.draw(key.scene, key.technique, *side.target);
+    }
+    if (key.textbook) {
+        side.target->write_color(side.textbook->second);
+    }
 }
 
 /// Returns the number of non-finite pixels.
@@ -24,7 +69,17 @@ unsigned ViewPainter::display_side(Side &side, const DisplayKey &display) {
     return display_pass_.run(*side.target, *side.display, display.display, static_cast<float>(display.exposure));
 }
 
-bool ViewPainter::paint_side(Side &side, const Key &key, const DisplayKey &display) {
+bool ViewPainter::paint_side(Side &side, const Key &wanted, const DisplayKey &display) {
+    side.awaited = side.drawn != wanted ? slow_picture(side, wanted) : std::nullopt;
+    // The textbook's last picture is shown while the next one is made, so that it follows what is dragged.
+    const bool behind = side.awaited && wanted.textbook && side.textbook;
+    if (side.awaited && !behind && !side.drawn) {
+        side.shown.error = "The textbook's picture is being drawn.";
+    }
+    if (side.awaited && !behind) {
+        return false;
+    }
+    const Key &key = behind ? side.textbook->first : wanted;
     const bool redraw = side.drawn != key;
     if (!redraw && side.displayed == display) {
         return false;
@@ -35,16 +90,7 @@ bool ViewPainter::paint_side(Side &side, const Key &key, const DisplayKey &displ
             side.displayed.reset();
             side.shown.error.clear();
             side.resources = renderer_.resources().load(key.scene);
-            if (!side.target || side.target->size() != key.size) {
-                side.target.reset();
-                side.target.emplace(key.size);
-                side.display.emplace(key.size);
-            }
-            if (key.textbook) {
-                draw_textbook(side, key);
-            } else {
-                renderer_.draw(key.scene, key.technique, *side.target);
-            }
+            draw_side(side, key);
             side.shown.warning = renderer_.shader_error();
             side.shown.nonfinite = display_side(side, display);
             if (key.wireframe) { // after counting, so that lines do not affect it
@@ -223,7 +269,10 @@ bool ViewPainter::same_picture(const Document &document) {
 
 bool ViewPainter::reload_changed_shaders() {
     const bool changed = renderer_.reload_changed_parts();
-    reloads_ += changed ? 1 : 0;
+    if (changed) {
+        ++reloads_;
+        built_aside_.clear();
+    }
     return changed;
 }
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,14 +24,31 @@ struct PaintedView {
     std::string warning;    ///< there is one, but a shader does not build
 };
 
+/// A side's picture that would keep the window waiting: a program must be built first, or the processor draws it.
+struct SlowPicture {
+    bool right = false, textbook = false;
+    Scene scene;
+    Technique technique;
+    Size size;
+    std::vector<Features> programs; ///< those that are missing
+};
+
 /// Draws the two pictures, each only if something in it has changed.
 class ViewPainter {
   public:
     ViewPainter(Assets assets, Assets shaders)
         : renderer_(std::move(assets), ShaderParts(std::move(shaders))), display_pass_(renderer_.parts()) {}
 
-    /// Updates both sides and, if the layout shows it, their difference.
+    /// Updates both sides and, if the layout shows it, their difference. A side whose picture is slow keeps its last
+    /// one until that has been made aside.
     void paint(const Session &session, Size each);
+
+    /// There is nobody to make pictures aside: programs are built where they are drawn with.
+    void wait_for_no_program() { waits_ = false; }
+    /// What paint() waits for; null: nothing.
+    [[nodiscard]] const SlowPicture *awaited() const;
+    /// It has been made aside: its programs are in the driver's cache now; a textbook's picture is `image`.
+    void made_aside(const SlowPicture &picture, const std::optional<Image> &image);
 
     [[nodiscard]] const PaintedView &view(bool right) const { return sides_[right ? 1 : 0].shown; }
     /// All that findings about what is shown depend on, the views being of the size that they were last painted in.
@@ -86,6 +104,8 @@ class ViewPainter {
         std::optional<DisplayTexture> display;
         PaintedView shown;
         std::vector<ObjectResources> resources; ///< held, so that the other side's meshes do not evict them
+        std::optional<SlowPicture> awaited;
+        std::optional<std::pair<Key, Image>> textbook; ///< the last one made
     };
 
     /// A picture made from findings, on the graphics card.
@@ -102,10 +122,11 @@ class ViewPainter {
         DisplayTexture texture;
     };
 
-    bool paint_side(Side &side, const Key &key, const DisplayKey &display);
+    bool paint_side(Side &side, const Key &wanted, const DisplayKey &display);
+    [[nodiscard]] std::optional<SlowPicture> slow_picture(const Side &side, const Key &key);
+    void draw_side(Side &side, const Key &key);
     bool paint_truth(bool right, bool wanted, const DisplayKey &display);
     void paint_masks(bool right, bool wanted, const DisplayKey &display);
-    void draw_textbook(Side &side, const Key &key);
     unsigned display_side(Side &side, const DisplayKey &display);
     void paint_difference(const ViewSettings &view, bool changed);
     [[nodiscard]] const Target *target_of(DifferenceOf of, bool second) const;
@@ -122,6 +143,8 @@ class ViewPainter {
     bool measured_ = false;
     double largest_difference_ = 0;
     int reloads_ = 0;
+    std::set<Features> built_aside_;
+    bool waits_ = true;
 };
 
 } // namespace sandbox

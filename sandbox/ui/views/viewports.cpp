@@ -216,6 +216,10 @@ void viewports(Session &session, ViewPainter &painter) {
         painter.measure_difference();
     }
     show_layout(session, painter, arrangement);
+    if (painter.awaited() != nullptr) {
+        draw_text_line(session, "View/pending", arrangement.pictures, arrangement.pictures.low.y, quiet_text(),
+                       "the next picture is being made", true);
+    }
     for (int i = 0; i < arrangement.columns; ++i) {
         draw_profile_line(session, arrangement.column(i));
         draw_probe(session, arrangement.column(i));
