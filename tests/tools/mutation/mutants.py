@@ -65,7 +65,7 @@ MUTANTS = [
     # The masks.
     (BRANCHES, "std::abs(q) < std::abs(quantity(*right_) - q) + std::abs(quantity(*below_) - q) + noise", "std::abs(quantity(*below_) - q)", "0.0"),
     (BRANCHES, "std::abs(q) < std::abs(quantity(*right_) - q) + std::abs(quantity(*below_) - q) + noise", "std::abs(quantity(*right_) - q)", "1.0"),
-    (BRANCHES, "const bool at_cone = steps && close(beyond_cone, in_cone + edge)", "steps && close(beyond_cone, in_cone + edge)", "false"),
+    (BRANCHES, "const bool at_cone = steps && close(beyond_cone, in_cone + edge / 2)", "steps && close(beyond_cone, in_cone + edge / 2)", "false"),
     (BRANCHES, "const bool at_gate = (gated || where_lit) && close(n_dot_l, dot_noise)", "(gated || where_lit) && close(n_dot_l, dot_noise)", "false"),
     (BRANCHES, "const bool gated = adds_highlight() && setup_.technique.gate == Gate::light_facing", "setup_.technique.gate == Gate::light_facing", "true"),
     (BRANCHES, "doubts_.jump.body += where_lit ? amount.ambient : glm::dvec3(0)", "where_lit ? amount.ambient : glm::dvec3(0)", "glm::dvec3(0)"),
