@@ -2,29 +2,12 @@
 
 #include "image/error.h"
 #include "measure/stability/textbook.h"
-#include "render/display_pass.h"
 #include "ui/jobs/side_findings.h"
-#include "ui/views/painters.h"
 
 #include <imgui.h>
 #include <utility>
 
 namespace sandbox {
-
-namespace {
-
-/// What other layouts are drawn with is then in the driver's cache.
-void use_passes_once(Renderer &renderer) {
-    constexpr Size size{16, 16};
-    Target target(size);
-    DisplayTexture display(size);
-    const DisplayPass pass(renderer.parts());
-    pass.run(target, display, Display::linear, 1);
-    pass.run_difference(target, target, display, 1);
-    renderer.draw_wireframe(Scene(), target, wireframe_color);
-}
-
-} // namespace
 
 SideFinder::~SideFinder() {
     job_.reset();
@@ -49,7 +32,6 @@ bool SideFinder::start_job(Work work) {
             const WorkerContext::Current current(*context_);
             if (!renderer_) {
                 renderer_ = std::make_unique<Renderer>(supplies_.assets, ShaderParts(supplies_.shaders));
-                use_passes_once(*renderer_);
             }
             renderer_->reload_changed_parts();
             work(*renderer_, reporter);
