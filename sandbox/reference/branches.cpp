@@ -101,8 +101,7 @@ class Branches {
             return doubt_direction(i, attenuation_bound(light, vectors.d), to_light,
                                    highlight_directions(vectors, to_light));
         }
-        const bool short_normal = !sampler_.keeps_normal_lengths() && here_.normal_length < short_vector;
-        if (short_normal || std::min(vectors.l_length, vectors.highlight_length) < short_vector) {
+        if (has_short_normal() || std::min(vectors.l_length, vectors.highlight_length) < short_vector) {
             doubt_short_vectors(i, vectors);
         }
         const double lengths = spread(setup_, light, here_.position, vectors.d);
@@ -253,11 +252,19 @@ class Branches {
         doubts_.rounding.highlight += incidence > 0 || !asks_for_light() ? amount.highlight : glm::dvec3(0);
     }
 
+    [[nodiscard]] bool has_short_normal() const {
+        return !sampler_.keeps_normal_lengths() && here_.normal_length < short_vector;
+    }
+
     /// Where the corners' vectors nearly cancel, float32 turns what is left by this much: only a surface that it may
     /// turn to the light gets any.
     void doubt_short_vectors(std::size_t i, const LightVectors &vectors) {
         const LightTerms terms = sampler_.terms_at(here_, i);
-        const double turn = 2 * rounding * (1 / here_.normal_length + excess(vectors.l_length));
+        // 8 units in the last place are enough for two terms of N's size; a lamp is seen from where the weights say.
+        const double of_n = has_short_normal() ? std::max(here_.weight_terms / 2, 1.0) / here_.normal_length : 1;
+        const double of_position =
+            has_short_normal() && has_position(setup_.lights[i].light) ? here_.position_terms / vectors.d : 0;
+        const double turn = 2 * rounding * (of_n + of_position + excess(vectors.l_length));
         const double highlight_turn = turn + 2 * rounding * excess(vectors.highlight_length);
         const double steepest = std::sqrt(std::max(terms.exponent, 1.0)) * 2;
         const Amounts amount = amounts(i, terms.vectors.a * terms.s, 1);

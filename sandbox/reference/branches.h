@@ -23,8 +23,10 @@ struct SurfacePoint {
     double normal_length = 1;
     glm::dvec3 normal{0}; ///< raw_normal, turned where facing() says so
     glm::dvec3 view{0};
-    double view_length = 1; ///< of an interpolated V, before it was made unit
-    glm::dvec3 weights{0};  ///< of a triangle's corners, if it is on one
+    double view_length = 1;    ///< of an interpolated V, before it was made unit
+    glm::dvec3 weights{0};     ///< of a triangle's corners, if it is on one
+    double weight_terms = 1;   ///< weights_before_cancelling() of that triangle
+    double position_terms = 0; ///< the same of the corners' distances from here
 };
 
 /// Every intermediate of one light at one point.

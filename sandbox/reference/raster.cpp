@@ -72,6 +72,11 @@ void keep_nearer(Hit &kept, Hit drawn) {
     }
 }
 
+glm::dvec3 areas_at(const Triangle &triangle, double x, double y) {
+    const auto [p, q, r] = shifted(triangle, x, y);
+    return {edge(q, r), edge(r, p), edge(p, q)};
+}
+
 } // namespace
 
 Triangle RasterObject::triangle(std::size_t index) const {
@@ -94,9 +99,13 @@ double DepthRange::resolution(double inverse_w, double highest) const {
 }
 
 glm::dvec3 weights_at(const Triangle &triangle, double x, double y) {
-    const auto [p, q, r] = shifted(triangle, x, y);
-    const glm::dvec3 areas(edge(q, r), edge(r, p), edge(p, q));
+    const glm::dvec3 areas = areas_at(triangle, x, y);
     return areas / (areas.x + areas.y + areas.z);
+}
+
+double weights_before_cancelling(const Triangle &triangle, double x, double y) {
+    const glm::dvec3 here = areas_at(triangle, x, y), start = glm::abs(areas_at(triangle, 0, 0));
+    return std::max(std::max({start.x, start.y, start.z}) / std::abs(here.x + here.y + here.z), 1.0);
 }
 
 bool near_edge(const Triangle &triangle, double x, double y) {

@@ -56,6 +56,11 @@ double orientation(const Triangle &triangle);
 /// Perspective-correct weights of a triangle's corners at the point (x, y) in pixels; they sum to 1.
 glm::dvec3 weights_at(const Triangle &triangle, double x, double y);
 
+/// The largest term, at least 1, of a sum that yields a weight at (x, y): a rasteriser starts at the window's corner
+/// and adds slopes, so float32 rounds weights of a triangle that is small against the window by this many times as
+/// much.
+double weights_before_cancelling(const Triangle &triangle, double x, double y);
+
 /// True if the point lies within edge_width of one of the triangle's edges (the lines through its corners).
 bool near_edge(const Triangle &triangle, double x, double y);
 

@@ -140,6 +140,12 @@ TEST(Raster, WeightsArePerspectiveCorrect) {
     EXPECT_NEAR(w.z, 0, 1e-15);
 }
 
+TEST(Raster, WeightsOfASmallTriangleFarFromTheWindowsCornerCancel) {
+    // The slope of the weight that the corner on the right has is 1 / 2 a pixel: 51 at x = 102, -50 from the corner on.
+    EXPECT_NEAR(weights_before_cancelling({pixel(100, 0), pixel(102, 0), pixel(100, 2)}, 101, 0.5), 51, 1e-12);
+    EXPECT_EQ(weights_before_cancelling({pixel(0, 0), pixel(100, 0), pixel(0, 100)}, 10, 10), 1); // nothing cancels
+}
+
 TEST(Raster, EdgesAreTold) {
     const Triangle t{pixel(0, 0), pixel(10, 0, 4), pixel(0, 10, 2)};
     EXPECT_FALSE(near_edge(t, 3, 3));
