@@ -15,6 +15,6 @@ if [[ $# -gt 0 || -n ${DISPLAY:-} || -n ${WAYLAND_DISPLAY:-} ]]; then
     exec "$build/shading-sandbox" "$@"
 fi
 echo "No display: capturing a comparison of two techniques."
-"$build/shading-sandbox" capture three-point-lights --left per-vertex/phong --right per-pixel/blinn-phong \
+"$build/shading-sandbox" capture studio --left per-vertex/blinn-phong --right per-pixel/blinn-phong \
     --layout side-by-side --labels --size 1600x800 --out comparison.png
 echo "Wrote $PWD/comparison.png"

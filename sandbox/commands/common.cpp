@@ -1,5 +1,6 @@
 #include "commands/common.h"
 
+#include "capture/opening_view.h"
 #include "capture/sidecar.h"
 #include "image/error.h"
 #include "image/image_file.h"
@@ -38,6 +39,7 @@ Scene open_scene(const CommonOptions &common, const std::string &name, const std
     for (const std::string &setting : common.settings) {
         scene = with_setting(scene, setting);
     }
+    (void)opening_view(scene, name); // for the window alone, and refused by every command if it is wrong
     if (view.empty()) {
         return scene;
     }

@@ -8,8 +8,8 @@ namespace sandbox {
 namespace {
 
 struct ViewFlags {
-    std::string scene = "three-point-lights";
-    std::optional<Technique> left, right; ///< absent: a sidecar's or the window's own
+    std::string scene = "studio";
+    std::optional<Technique> left, right; ///< absent: a sidecar's, the scene's or the window's own
     std::string script;                   ///< a file; empty: a person works the window
     std::optional<Size> size;
     std::filesystem::path settings; ///< empty: a window's own, a script's none
@@ -28,8 +28,7 @@ int run_view(const ViewFlags &flags, const CommonOptions &common) {
     WindowOptions options;
     options.assets = scene_assets(common);
     options.shaders = shader_assets(common);
-    options.file = open_file(flags.scene, options.assets); // reports a wrong name before a missing display
-    options.file.scene = open_scene(common, flags.scene);  // with every --set
+    options.file = open_file(flags.scene, options.assets, open_scene(common, flags.scene)); // with every --set
     if (flags.left) {
         options.file.left = flags.left;
         options.file.textbook_left = false;
@@ -61,9 +60,9 @@ void add_view(CLI::App &app, CommonOptions &common, Run &run) {
     add_value(command, "SCENE", "", flags->scene, "Built-in name, or path of a .json, sidecar or .obj file")
         ->capture_default_str();
     add_parsed(command, "--left", "T", flags->left, parse_technique,
-               "Technique of the left view, A [per-vertex/blinn-phong]");
+               "Technique of the left view, A [the scene's, else per-vertex/blinn-phong]");
     add_parsed(command, "--right", "T", flags->right, parse_technique,
-               "Technique of the right view, B [per-pixel/blinn-phong]");
+               "Technique of the right view, B [the scene's, else per-pixel/blinn-phong]");
     add_value(command, "--script", "FILE", flags->script,
               "Works the window by the actions in FILE, without a display; they are listed below");
     add_parsed(command, "--size", "WxH", flags->size, parse_size,

@@ -84,7 +84,9 @@ class ShapeSampler : public Sampler {
                              hit.back ? Side::back : Side::front);
     }
 
-    [[nodiscard]] glm::dvec3 base() const { return shape_.base.color_at(hit_.uv, hit_.position); }
+    [[nodiscard]] glm::dvec3 base() const {
+        return shape_.base.color_at(hit_.uv * object_.material.texture_repeat, hit_.position);
+    }
 
     [[nodiscard]] glm::dvec3 color() const {
         const Reflected reflected = reflect(Terms::all, point_at(0, 0));

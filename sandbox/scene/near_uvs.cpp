@@ -11,23 +11,23 @@
 namespace sandbox {
 namespace {
 
-/// The multiples of uv_step nearest to the middle of the triangle's coordinates.
-glm::dvec2 offset_of(const Mesh &mesh, const glm::uvec3 &t) {
+/// The multiples of `step` nearest to the middle of the triangle's coordinates.
+glm::dvec2 offset_of(const Mesh &mesh, const glm::uvec3 &t, double step) {
     const glm::dvec2 &a = mesh.uvs[t.x];
     const glm::dvec2 &b = mesh.uvs[t.y];
     const glm::dvec2 &c = mesh.uvs[t.z];
     const glm::dvec2 middle = 0.5 * (glm::min(glm::min(a, b), c) + glm::max(glm::max(a, b), c));
-    return uv_step * glm::round(middle / uv_step);
+    return step * glm::round(middle / step);
 }
 
 /// A copy of a mesh whose vertices go apart where their triangles take off different amounts.
 class Splitter {
   public:
-    explicit Splitter(const Mesh &mesh) : mesh_(mesh), split_(mesh), taken_(mesh.positions.size()) {}
+    Splitter(const Mesh &mesh, double step) : mesh_(mesh), step_(step), split_(mesh), taken_(mesh.positions.size()) {}
 
     Mesh split() {
         for (glm::uvec3 &t : split_.triangles) {
-            const glm::dvec2 offset = offset_of(mesh_, t);
+            const glm::dvec2 offset = offset_of(mesh_, t, step_);
             t = {vertex(t.x, offset), vertex(t.y, offset), vertex(t.z, offset)};
         }
         return std::move(split_);
@@ -58,6 +58,7 @@ class Splitter {
     }
 
     const Mesh &mesh_;
+    double step_;
     Mesh split_;
     std::vector<std::optional<glm::dvec2>> taken_; ///< by each of the mesh's own vertices
     std::map<std::tuple<unsigned, double, double>, unsigned> more_;
@@ -65,12 +66,23 @@ class Splitter {
 
 } // namespace
 
-std::shared_ptr<const Mesh> with_near_uvs(const std::shared_ptr<const Mesh> &mesh) {
-    const auto is_far = [&](const glm::uvec3 &t) { return offset_of(*mesh, t) != glm::dvec2(0); };
+std::shared_ptr<const Mesh> with_near_uvs(const std::shared_ptr<const Mesh> &mesh, double step) {
+    const auto is_far = [&](const glm::uvec3 &t) { return offset_of(*mesh, t, step) != glm::dvec2(0); };
     if (mesh->uvs.empty() || std::ranges::none_of(mesh->triangles, is_far)) {
         return mesh;
     }
-    return std::make_shared<const Mesh>(Splitter(*mesh).split());
+    return std::make_shared<const Mesh>(Splitter(*mesh, step).split());
+}
+
+std::shared_ptr<const Mesh> with_repeated_uvs(const std::shared_ptr<const Mesh> &mesh, const glm::dvec2 &repeat) {
+    if (repeat == glm::dvec2(1)) {
+        return mesh;
+    }
+    Mesh repeated = *mesh;
+    for (glm::dvec2 &uv : repeated.uvs) {
+        uv *= repeat;
+    }
+    return with_near_uvs(std::make_shared<const Mesh>(std::move(repeated)), 1);
 }
 
 } // namespace sandbox

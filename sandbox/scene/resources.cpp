@@ -3,7 +3,9 @@
 #include "image/error.h"
 #include "image/file_io.h"
 #include "image/image_file.h"
+#include "scene/near_uvs.h"
 #include "scene/obj_reader.h"
+#include "scene/scene_format.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -38,11 +40,16 @@ std::string read_named(const Assets &assets, const std::string &name, const Kind
                      kind.name, fmt::join(known, ", "));
 }
 
-Mesh load_mesh(const Assets &assets, const Shape &shape) {
-    if (const auto *obj = std::get_if<ObjShape>(&shape)) {
-        return read_obj(read_named(assets, obj->path, model_files), obj->path);
-    }
-    return build_mesh(shape);
+std::shared_ptr<const Mesh> load_mesh(const Assets &assets, const MeshKey &key) {
+    const auto *obj = std::get_if<ObjShape>(&key.first);
+    return with_repeated_uvs(
+        std::make_shared<const Mesh>(obj != nullptr ? read_obj(read_named(assets, obj->path, model_files), obj->path)
+                                                    : build_mesh(key.first)),
+        key.second);
+}
+
+MeshKey mesh_key(const Object &object) {
+    return {object.mesh, has_texture(object.material) ? object.material.texture_repeat : glm::dvec2(1)};
 }
 
 /// Runs `load`; an error of it names the key that asked for it.
@@ -63,11 +70,11 @@ template <class Entries, class Key> auto find_entry(const Entries &entries, cons
 
 Resources::Resources(Assets assets) : assets_(std::move(assets)) {}
 
-std::shared_ptr<const Mesh> Resources::kept_mesh(const Shape &shape) const {
-    if (const auto kept = find_entry(meshes_, shape); kept != meshes_.end()) {
+std::shared_ptr<const Mesh> Resources::kept_mesh(const MeshKey &key) const {
+    if (const auto kept = find_entry(meshes_, key); kept != meshes_.end()) {
         return kept->second;
     }
-    const auto earlier = find_entry(earlier_meshes_, shape);
+    const auto earlier = find_entry(earlier_meshes_, key);
     return earlier != earlier_meshes_.end() ? earlier->second.lock() : nullptr;
 }
 
@@ -79,11 +86,12 @@ std::vector<ObjectResources> Resources::load(const Scene &scene) {
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object &object = scene.objects[i];
         ObjectResources resources;
-        auto mesh = find_entry(meshes, object.mesh);
+        const MeshKey shape = mesh_key(object);
+        auto mesh = find_entry(meshes, shape);
         if (mesh == meshes.end()) {
-            auto kept = kept_mesh(object.mesh);
-            const auto load = [&] { return std::make_shared<const Mesh>(load_mesh(assets_, object.mesh)); };
-            meshes.emplace_back(object.mesh, kept ? kept : at_key(i, "mesh.obj", load));
+            auto kept = kept_mesh(shape);
+            const auto load = [&] { return load_mesh(assets_, shape); };
+            meshes.emplace_back(shape, kept ? kept : at_key(i, "mesh.obj", load));
             mesh = std::prev(meshes.end());
         }
         resources.mesh = mesh->second;

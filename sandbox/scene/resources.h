@@ -12,12 +12,15 @@
 
 namespace sandbox {
 
-/// The mesh and the texture of one object. The same shape gives the same mesh as long as anyone holds it; the same
-/// texture gives the same image until it is evicted.
+/// The mesh and the texture of one object. The same shape (with the same repeats of a texture) gives the same mesh as
+/// long as anyone holds it; the same texture gives the same image until it is evicted.
 struct ObjectResources {
     std::shared_ptr<const Mesh> mesh;
     std::shared_ptr<const Image> texture; ///< linear light; null: none
 };
+
+/// A shape, and how often a texture repeats on it.
+using MeshKey = std::pair<Shape, glm::dvec2>;
 
 /// Builds or reads the meshes and textures that scenes name, and keeps those that the latest scene uses.
 class Resources {
@@ -28,12 +31,12 @@ class Resources {
     std::vector<ObjectResources> load(const Scene &scene);
 
   private:
-    [[nodiscard]] std::shared_ptr<const Mesh> kept_mesh(const Shape &shape) const;
+    [[nodiscard]] std::shared_ptr<const Mesh> kept_mesh(const MeshKey &key) const;
 
     Assets assets_;
-    std::vector<std::pair<Shape, std::shared_ptr<const Mesh>>> meshes_;
+    std::vector<std::pair<MeshKey, std::shared_ptr<const Mesh>>> meshes_;
     /// Meshes of earlier scenes that someone else still holds: going back and forth between scenes builds nothing anew.
-    std::vector<std::pair<Shape, std::weak_ptr<const Mesh>>> earlier_meshes_;
+    std::vector<std::pair<MeshKey, std::weak_ptr<const Mesh>>> earlier_meshes_;
     std::map<std::pair<std::string, ColorSpace>, std::shared_ptr<const Image>> textures_;
 };
 

@@ -123,6 +123,7 @@ struct Material {
     bool texture_modulates_specular = true;
     std::optional<Checker> checker; ///< excludes texture
     ColorSpace texture_color_space = ColorSpace::linear;
+    glm::dvec2 texture_repeat{1}; ///< multiplies texture coordinates
     bool operator==(const Material &) const = default;
 };
 
@@ -141,6 +142,13 @@ struct View {
     bool operator==(const View &) const = default;
 };
 
+/// How the window shows a scene that it opens: techniques and a layout, in the words of the command line, for this room
+/// knows neither (opening_view() reads them). Empty: as the window has it.
+struct Opening {
+    std::string left, right, layout;
+    bool operator==(const Opening &) const = default;
+};
+
 struct Scene {
     std::string name;
     std::string description;
@@ -152,6 +160,7 @@ struct Scene {
     std::vector<Light> lights;       ///< at most 64
     std::vector<Object> objects;
     std::vector<View> views;
+    Opening compare;
     bool operator==(const Scene &) const = default;
 };
 

@@ -17,7 +17,8 @@ namespace sandbox {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::array<std::string_view, 13> teaching_order{"three-point-lights",
+constexpr std::array<std::string_view, 14> teaching_order{"studio",
+                                                          "three-point-lights",
                                                           "three-point-lights-original",
                                                           "three-directional-lights",
                                                           "box-1-colour",

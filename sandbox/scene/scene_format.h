@@ -52,6 +52,7 @@ constexpr Range cone_angle{.low = 0, .high = 90, .or_exactly = 180, .slider = {0
 constexpr Range spot_exponent{.low = 0, .high = 1e5, .slider = {0, 128, "%.4g"}};
 constexpr Range shininess{.low = 0, .high = 1e7, .slider = {1, 1e4, "%.4g", true}};
 constexpr Range exponent_scale{.low = 0, .high = 16, .above_low = true, .slider = {0.25, 8, "%.3g", true}};
+constexpr Range repeats{.low = 0, .high = 1e6, .above_low = true, .slider = {0.25, 16, "%.3g", true}};
 constexpr Range coefficient(std::string_view unit) {
     return {.low = 0, .high = 1e9, .slider = {0, 2, "%.4g"}, .unit = unit};
 }
@@ -252,6 +253,9 @@ inline constexpr auto format_of<Material> = format(
     control("texture_color_space", &Material::texture_color_space, any,
             "linear: the texture's numbers are light; srgb: they are decoded by the sRGB curve, as photographs need.",
             {.used = has_texture, .label = "texture's numbers"}),
+    control("texture_repeat", &Material::texture_repeat, repeats,
+            "How often the texture repeats where texture coordinates run from 0 to 1, along each.",
+            {.used = has_texture, .label = "texture's repeats"}),
     control("texture_modulates_specular", &Material::texture_modulates_specular, any,
             "The texture (or checker) colours the highlight, too.",
             {.used = has_surface_colors, .term = Term::highlight, .label = "surface colours the highlight"}),
@@ -276,19 +280,27 @@ inline constexpr auto
                              field("camera", &View::camera, any, "Its camera.", {.needed = always<View>}));
 
 template <>
-inline constexpr auto format_of<Scene> = format(
-    "scene", "A scene of Shading Sandbox.", field("name", &Scene::name, any, "A title."),
-    field("description", &Scene::description, any, "What there is to see."),
-    field("source", &Scene::source, any, "The document that the scene reproduces."),
-    field("camera", &Scene::camera, any, "Where the scene is seen from."),
-    control("background", &Scene::background, linear_rgb, "Linear RGB where there is no object."),
-    control("ambient", &Scene::ambient, linear_rgb, "Ambient light of no light in particular, linear RGB."),
-    control("blinn_exponent_scale", &Scene::blinn_exponent_scale, exponent_scale,
-            "Blinn-Phong's exponent is this times the shininess n; 4 matches Phong's highlights to 0.004 near "
-            "normal incidence for n >= 32, and not at grazing angles (0.84 apart on a floor).",
-            {.term = Term::blinn_highlight, .label = "Blinn n / n"}),
-    field("lights", &Scene::lights, {.low = 0, .high = 64}, "At most 64."),
-    field("objects", &Scene::objects, any, "What is lit."), field("views", &Scene::views, any, "Named cameras."));
+inline constexpr auto format_of<Opening> =
+    format("opening", "How the window shows the scene that it opens; commands take no notice.",
+           field("left", &Opening::left, any, "The technique of A, such as per-vertex/phong."),
+           field("right", &Opening::right, any, "The technique of B, such as per-pixel/phong."),
+           field("layout", &Opening::layout, any, "single, side-by-side, wipe, difference or three-up."));
+
+template <>
+inline constexpr auto format_of<Scene> =
+    format("scene", "A scene of Shading Sandbox.", field("name", &Scene::name, any, "A title."),
+           field("description", &Scene::description, any, "What there is to see."),
+           field("source", &Scene::source, any, "The document that the scene reproduces."),
+           field("camera", &Scene::camera, any, "Where the scene is seen from."),
+           control("background", &Scene::background, linear_rgb, "Linear RGB where there is no object."),
+           control("ambient", &Scene::ambient, linear_rgb, "Ambient light of no light in particular, linear RGB."),
+           control("blinn_exponent_scale", &Scene::blinn_exponent_scale, exponent_scale,
+                   "Blinn-Phong's exponent is this times the shininess n; 4 matches Phong's highlights to 0.004 near "
+                   "normal incidence for n >= 32, and not at grazing angles (0.84 apart on a floor).",
+                   {.term = Term::blinn_highlight, .label = "Blinn n / n"}),
+           field("lights", &Scene::lights, {.low = 0, .high = 64}, "At most 64."),
+           field("objects", &Scene::objects, any, "What is lit."), field("views", &Scene::views, any, "Named cameras."),
+           field("compare", &Scene::compare, any, "What the window shows of the scene when it opens."));
 
 /// Calls f(field) for every field of T, in the order of the file.
 template <class T, class F> constexpr void for_each_field(F &&f) {

@@ -158,7 +158,7 @@ std::string scene_schema() {
     json.update(object_schema<Scene>());
     json["properties"]["$schema"] = {{"type", "string"}, {"description", "For editors; ignored."}};
     OrderedJson &definitions = json["definitions"];
-    define<Attenuation, Object, Transform, Material, Checker, View>(definitions);
+    define<Attenuation, Object, Transform, Material, Checker, View, Opening>(definitions);
     definitions["camera"] = camera_schema();
     definitions["light"] = light_schema();
     definitions["mesh"] = mesh_schema();

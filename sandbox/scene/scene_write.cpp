@@ -42,6 +42,12 @@ class Writer {
     static std::optional<bool> special(const Material &material, std::string_view key) {
         return key == "checker" ? std::optional(material.checker.has_value()) : std::nullopt;
     }
+    static std::optional<bool> special(const Scene &scene, std::string_view key) {
+        return key == "compare" ? std::optional(scene.compare != Opening{}) : std::nullopt;
+    }
+    static std::optional<bool> special(const Opening &opening, std::string_view key) {
+        return !(key == "left" ? opening.left : key == "right" ? opening.right : opening.layout).empty();
+    }
 
     template <class T> static OrderedJson write(const T &value) { return value; }
     static OrderedJson write(LightType value) { return std::string(kind_of(value).word); }

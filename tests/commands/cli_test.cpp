@@ -94,6 +94,8 @@ TEST(Cli, TheOtherCommandsCheckTheirWordsFirst) {
     expect_refused({"compare", "vase", "--left", "flat/phong", "--right", "referenc"}, "--right");
     expect_refused({"compare", "vase", "--left", "flat/phong", "--right", "reference", "--max-abs", "-1"}, "--max-abs");
     expect_refused({"view", "vase", "--left", "flat/fong"}, "--left");
+    expect_refused({"view", "vase", "--set", "compare.left=flat/fong"}, "vase: compare.left: ");
+    expect_refused({"reference", "vase", "--out", "a.png", "--set", "compare.layout=beside"}, "vase: compare.layout: ");
     expect_refused({"view", "vase", "--right", "per-pixel"}, "--right");
     for (const char *frames : {"0", "-1", "x", "3x", "", "1000001"}) {
         expect_refused({"time", "vase", "--frames", frames}, "--frames");

@@ -4,11 +4,14 @@
 
 namespace sandbox {
 
+inline const Arguments three_lights{"three-point-lights", "--left", "per-vertex/phong", "--right",
+                                    "per-pixel/blinn-phong"};
+
 /// The window, worked by scripts: `view --script` of the built program, which needs no display.
 class ScriptGl : public GlCommandTest {
   protected:
     /// Runs `script` in an own folder, so that pictures and captures lie there.
-    ProcessResult play(const std::string &script, const Arguments &more = {}) const {
+    ProcessResult play(const std::string &script, const Arguments &more = three_lights) const {
         folder.write("script.txt", script);
         Arguments all{"view", "--script", "script.txt", "--size", "1000x560", "--no-times"};
         all.insert(all.end(), more.begin(), more.end());

@@ -134,6 +134,10 @@ expect View/differ "same technique"
 click "Difference/A − B"
 expect Difference/largest "no pixel differs"
 )"));
+    EXPECT_PLAYED(
+        play("expect View/differ \"A and B differ in: frequency\"\nexpect A/name \"per-vertex / blinn-phong\"\n"
+             "expect View/description triangles\n",
+             {})); // the opening picture
     const ProcessResult timed = run_sandbox({"view", "--script", folder.file("times.txt")},
                                             "echo 'expect A/time ms' > " + folder.file("times.txt") + " &&");
     EXPECT_EQ(timed.exit_code, 0) << timed.err;
@@ -292,6 +296,8 @@ TEST_F(ScriptGl, MenusTabsAndDroppedFilesOpen) {
 click Scene
 click Scene/vase
 expect Status vase
+expect A/name "per-vertex / blinn-phong"
+expect View/differ "A and B differ in: frequency"
 click GLSL
 expect "GLSL/A/line 1" "#version"
 click Stability

@@ -131,6 +131,27 @@ TEST(Analytic, GrazingTheTorusHitsItOnTheRim) {
     }
 }
 
+/// A plane is its mesh: the pictures agree to rounding, the texture's repeats included.
+TEST(Analytic, ATextureRepeatsAsOnTheMesh) {
+    Scene scene = test::ball({2, 3, 5});
+    scene.objects[0] = test::object_of(PlaneShape{});
+    scene.objects[0].transform.rotate_degrees = {60, 0, 0};
+    scene.objects[0].material.texture = "tiles.png";
+    scene.objects[0].material.texture_repeat = {3, 2};
+    const auto resources = Resources(Assets("assets")).load(scene);
+    const Size size{80, 80};
+    const ReferenceFrame mesh = render_reference(scene, resources, {}, size);
+    const ReferenceFrame exact = render_reference(scene, resources, {}, size, Surface::analytic);
+    int compared = 0;
+    for (std::size_t i = 0; i < mesh.color.size(); ++i) {
+        if (mesh.object_ids[i] == 1 && exact.object_ids[i] == 1) {
+            ++compared;
+            EXPECT_NEAR(glm::length(mesh.color[i] - exact.color[i]), 0, 1e-9);
+        }
+    }
+    EXPECT_GT(compared, 500);
+}
+
 TEST(Analytic, MeshAndShapeMeetInEveryTransform) {
     const Shape shapes[] = {SphereShape{1, 64, 128}, BoxShape{}, CylinderShape{0.5, 1, 128, 1, true},
                             TorusShape{1, 0.4, 128, 64}};

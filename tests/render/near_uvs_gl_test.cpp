@@ -80,6 +80,22 @@ TEST_F(NearUvsOnTheRenderer, FarCoordinatesAreAsGoodAsNearOnes) {
               1e-4);
 }
 
+/// A square whose file counts to 6 and 4, and one whose material repeats the texture so often, are one picture.
+TEST_F(NearUvsOnTheRenderer, RepeatsOfAMaterialAreThoseOfTheFile) {
+    Scene written = scene_with(square(0, 0, 6));
+    Scene repeated = scene_with(square(0, 0));
+    repeated.objects[0].material.texture_repeat = {6, 6};
+    const Technique technique = parse_technique("per-pixel/blinn-phong");
+    const ReferenceFrame truth = render_reference(written, resources_.load(written), technique, size);
+    const ReferenceFrame same = render_reference(repeated, resources_.load(repeated), technique, size);
+    for (std::size_t i = 0; i < truth.color.size(); ++i) {
+        for (int c = 0; c < 3; ++c) {
+            ASSERT_NEAR(truth.color[i][c], same.color[i][c], 1e-11); // whole repeats are taken off in double
+        }
+    }
+    EXPECT_LE(error(repeated, "per-pixel/blinn-phong"), 6 * error(scene_with(square(0, 0)), "per-pixel/blinn-phong"));
+}
+
 TEST_F(NearUvsOnTheRenderer, OneFileMayHoldNearAndFarOnes) {
     const std::string text = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvn 0 0 1\nvt 0 0\nvt 1 0\nvt 1 1\n"
                              "vt 1000000 -300000\nvt 1000001 -299999\nvt 1000000 -299999\n"

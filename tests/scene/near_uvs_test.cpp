@@ -28,8 +28,8 @@ std::shared_ptr<const Mesh> strip(double u0, double v0, int count) {
     return std::make_shared<const Mesh>(mesh);
 }
 
-/// Every triangle is where it was, and its coordinates differ by one multiple of uv_step for all three corners.
-void expect_same_picture(const Mesh &given, const Mesh &near) {
+/// Every triangle is where it was, and its coordinates differ by one multiple of `step` for all three corners.
+void expect_same_picture(const Mesh &given, const Mesh &near, double step = uv_step) {
     ASSERT_EQ(near.triangles.size(), given.triangles.size());
     EXPECT_EQ(near.positions.size(), near.uvs.size());
     EXPECT_EQ(near.positions.size(), near.normals.size());
@@ -37,7 +37,7 @@ void expect_same_picture(const Mesh &given, const Mesh &near) {
         const glm::uvec3 &a = given.triangles[i];
         const glm::uvec3 &b = near.triangles[i];
         const glm::dvec2 offset = given.uvs[a.x] - near.uvs[b.x];
-        EXPECT_EQ(offset, uv_step * glm::round(offset / uv_step));
+        EXPECT_EQ(offset, step * glm::round(offset / step));
         for (int corner = 0; corner < 3; ++corner) {
             EXPECT_EQ(given.positions[a[corner]], near.positions[b[corner]]);
             EXPECT_EQ(given.uvs[a[corner]] - near.uvs[b[corner]], offset) << "exact: nothing is rounded";
@@ -79,6 +79,22 @@ TEST(NearUvs, VerticesGoApartOnlyWhereOffsetsDiffer) {
     for (std::size_t i = 0; i < near->uvs.size(); ++i) {
         EXPECT_LE(std::abs(near->uvs[i].x), uv_step / 2 + 0.5);
     }
+}
+
+/// Strips of 8 squares: 3 and 2 repeats a square, within half a repeat and half a square of 0.
+TEST(NearUvs, RepeatsMultiplyCoordinatesAndStayNear) {
+    const auto given = strip(0, 0, 8);
+    Mesh multiplied = *given;
+    for (glm::dvec2 &uv : multiplied.uvs) {
+        uv *= glm::dvec2(3, 2);
+    }
+    const auto repeated = with_repeated_uvs(given, {3, 2});
+    expect_same_picture(multiplied, *repeated, 1);
+    for (const glm::dvec2 &uv : repeated->uvs) {
+        EXPECT_LE(std::abs(uv.x), 0.5 + 1.5);
+        EXPECT_LE(std::abs(uv.y), 0.5 + 1);
+    }
+    EXPECT_EQ(with_repeated_uvs(given, {1, 1}), given);
 }
 
 TEST(NearUvs, OneMeshMayHoldNearAndFarTriangles) {

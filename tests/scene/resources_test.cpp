@@ -2,6 +2,7 @@
 #include "tools/error_of.h"
 
 #include <cmath>
+#include <glm/common.hpp>
 #include <gtest/gtest.h>
 
 namespace sandbox {
@@ -96,6 +97,22 @@ TEST(Assets, KnowNothingElse) {
     EXPECT_FALSE(Assets("assets", std::filesystem::path(SOURCE_DIR) / "assets").read("scenes"));
     EXPECT_EQ(error_of([] { const Assets missing("assets", "/no/such/folder"); }),
               "--assets /no/such/folder: expected a folder");
+}
+
+TEST(Resources, RepeatsAreThoseOfAMaterialWithATexture) {
+    Resources resources(Assets("assets"));
+    Scene scene = scene_of({object(PlaneShape{}, "wood.png"), object(PlaneShape{}, "wood.png"), object(PlaneShape{})});
+    scene.objects[1].material.texture_repeat = scene.objects[2].material.texture_repeat = {4, 2};
+    const auto loaded = resources.load(scene);
+    EXPECT_EQ(loaded[0].mesh, loaded[2].mesh);
+    EXPECT_NE(loaded[0].mesh, loaded[1].mesh);
+    const auto span = [](const Mesh &mesh) {
+        const glm::uvec3 &t = mesh.triangles.front();
+        return glm::max(glm::max(mesh.uvs[t.x], mesh.uvs[t.y]), mesh.uvs[t.z]) -
+               glm::min(glm::min(mesh.uvs[t.x], mesh.uvs[t.y]), mesh.uvs[t.z]);
+    };
+    EXPECT_EQ(span(*loaded[1].mesh), glm::dvec2(4, 2) * span(*loaded[0].mesh));
+    EXPECT_EQ(resources.load(scene)[1].mesh, loaded[1].mesh) << "kept from one load to the next";
 }
 
 /// IEC 61966-2-1, for the same file in the same scene.

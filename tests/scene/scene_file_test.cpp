@@ -52,7 +52,8 @@ Scene full_scene(unsigned seed) {
                 digits(random, 1e-9, 16),
                 {},
                 {},
-                {}};
+                {},
+                {"per-vertex/phong", "flat/lambert", "wipe"}};
     for (const LightType type : {LightType::directional, LightType::point, LightType::spot}) {
         scene.lights.push_back({type,
                                 false,
@@ -84,7 +85,8 @@ Scene full_scene(unsigned seed) {
                           "/a/b.png",
                           false,
                           {},
-                          ColorSpace::srgb};
+                          ColorSpace::srgb,
+                          {digits(random, 0.1, 9), digits(random, 0.1, 9)}};
         if (scene.objects.size() % 2 == 0) {
             material.texture = "";
             material.checker = Checker{3, {vector(random, 0, 1), vector(random, 0, 1)}};
@@ -171,7 +173,7 @@ TEST(OpenScene, SaysWhatIsWrong) {
     const auto error = [](const std::string &name) { return error_of([&] { open_scene(name, assets()); }); };
     EXPECT_EQ(error("three-point-light"),
               "three-point-light: no built-in scene of that name; did you mean \"three-point-lights\"?");
-    EXPECT_TRUE(error("x").starts_with("x: no built-in scene of that name; expected one of three-point-lights, "));
+    EXPECT_TRUE(error("x").starts_with("x: no built-in scene of that name; expected one of studio, "));
     EXPECT_EQ(error("no/such.json"), "no/such.json: no such file");
     const std::string picture = (folder.path / "a.png").string();
     write_file(picture, "x");
@@ -193,7 +195,8 @@ TEST(WithView, ReplacesTheCamera) {
 }
 
 TEST(BuiltInScenes, ComeInTheOrderTheyAreTaught) {
-    const std::vector<std::string> expected{"three-point-lights",
+    const std::vector<std::string> expected{"studio",
+                                            "three-point-lights",
                                             "three-point-lights-original",
                                             "three-directional-lights",
                                             "box-1-colour",

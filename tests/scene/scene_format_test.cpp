@@ -9,7 +9,7 @@ namespace {
 
 template <class... T> struct Types {};
 using Formats = Types<Attenuation, Light, Camera, Transform, SphereShape, BoxShape, PlaneShape, CylinderShape,
-                      TorusShape, ObjShape, Checker, Material, Object, View, Scene>;
+                      TorusShape, ObjShape, Checker, Material, Object, View, Opening, Scene>;
 
 /// Calls f(T{}, field) for every row of every table.
 template <class F> void for_each_row(F &&f) {

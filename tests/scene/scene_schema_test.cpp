@@ -146,6 +146,10 @@ TEST(SceneSchema, RefusesWhatTheReaderRefuses) {
           R"({"camera": {"projection": "orthographic", "height": 0}})",
           R"({"camera": {"height": 2}})",
           R"({"camera": {"projection": "orthographic", "height": 2, "fov_y_degrees": 45}})",
+          R"({"compare": "wipe"})",
+          R"({"compare": {"left": 1}})",
+          R"({"compare": {"middle": "flat/lambert"}})",
+          R"({"objects": [{"mesh": {"shape": "box"}, "material": {"texture_repeat": [1, 0]}}]})",
           R"({"objects": [{"mesh": {"shape": "box"}, "material": {"texture_color_space": "sRGB"}}]})"}) {
         EXPECT_THROW(parse_scene(text, "a.json", {}), std::runtime_error) << text;
         EXPECT_FALSE(Validator(schema).accepts(Json::parse(text))) << text;

@@ -5,11 +5,11 @@ Run from anywhere: python3 tests/tools/make_textures.py. Needs nothing but Pytho
 The pictures tile (they repeat without a seam) and are light in colour, so that coloured lights show on them.
 """
 import math
+import multiprocessing
 import struct
 import zlib
 from pathlib import Path
 
-SIDE = 256
 ASSETS = Path(__file__).resolve().parents[2] / "assets"
 
 
@@ -86,7 +86,7 @@ def marble(u, v):
 
 
 def tiles(u, v):
-    count = 8
+    count = 4
     column, row = math.floor(u * count), math.floor(v * count)
     x, y = u * count - column, v * count - row
     edge = min(x, 1 - x, y, 1 - y)
@@ -103,30 +103,48 @@ def chunk(kind, data):
     return struct.pack(">I", len(data)) + body + struct.pack(">I", zlib.crc32(body))
 
 
-def softened(rows):
-    """The picture blurred by a Gaussian of 2.5 texels, periodically. A float32 texture coordinate is good to about 1e-4
-    of a texel: across a hard edge between two texels that alone would be an error of 1e-4 in the picture."""
-    weights = [math.exp(-0.5 * (k / 2.5) ** 2) for k in range(-7, 8)]
+def softened(rows, sigma):
+    """The picture blurred by a Gaussian of `sigma` texels, periodically. A float32 texture coordinate is good to about
+    1e-4 of a texel: across a hard edge between two texels that alone would be an error of 1e-4 in the picture."""
+    side, reach = len(rows), math.ceil(2.8 * sigma)
+    weights = [math.exp(-0.5 * (k / sigma) ** 2) for k in range(-reach, reach + 1)]
     total = sum(weights)
 
     def along(line):
-        return [tuple(sum(w * line[(i + k - 7) % SIDE][c] for k, w in enumerate(weights)) / total for c in range(3))
-                for i in range(SIDE)]
+        channels = []
+        for channel in zip(*line):
+            wrapped = channel[-reach:] + channel + channel[:reach]
+            channels.append([sum(w * wrapped[i + k] for k, w in enumerate(weights)) / total for i in range(side)])
+        return list(zip(*channels))
 
     across = [along(row) for row in rows]
-    columns = [along([across[y][x] for y in range(SIDE)]) for x in range(SIDE)]
-    return [[columns[x][y] for x in range(SIDE)] for y in range(SIDE)]
+    columns = [along([across[y][x] for y in range(side)]) for x in range(side)]
+    return [[columns[x][y] for x in range(side)] for y in range(side)]
 
 
-def png(pixel):
+def paeth(left, above, corner):
+    """Of the PNG filter of that name: whichever is nearest to left + above - corner."""
+    guess = left + above - corner
+    return min((left, above, corner), key=lambda level: abs(guess - level))
+
+
+def filtered(levels, above):
+    """A row as PNG stores it, under the filter that leaves the least: less its left, its upper, or Paeth's neighbour."""
+    left, corner = [0, 0, 0] + levels[:-3], [0, 0, 0] + above[:-3]
+    choices = ((1, left), (2, above), (4, [paeth(*near) for near in zip(left, above, corner)]))
+    rows = [(kind, bytes((level - guess) & 255 for level, guess in zip(levels, guesses))) for kind, guesses in choices]
+    kind, row = min(rows, key=lambda choice: sum(min(byte, 256 - byte) for byte in choice[1]))
+    return bytes([kind]) + row
+
+
+def png(pixel, side, sigma):
     """An RGB PNG of pixel(u, v), u to the right, v downwards."""
-    rows = softened([[pixel((x + 0.5) / SIDE, (y + 0.5) / SIDE) for x in range(SIDE)] for y in range(SIDE)])
-    data = bytearray()
-    for row in rows:
+    data, above = bytearray(), [0] * 3 * side
+    for row in softened([[pixel((x + 0.5) / side, (y + 0.5) / side) for x in range(side)] for y in range(side)], sigma):
         levels = [round(255 * c) for colour in row for c in colour]
-        data.append(1)  # filter: each byte less the one to its left
-        data += bytes((level - (levels[i - 3] if i >= 3 else 0)) & 255 for i, level in enumerate(levels))
-    header = struct.pack(">IIBBBBB", SIDE, SIDE, 8, 2, 0, 0, 0)
+        data += filtered(levels, above)
+        above = levels
+    header = struct.pack(">IIBBBBB", side, side, 8, 2, 0, 0, 0)
     return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(bytes(data), 9))
             + chunk(b"IEND", b""))
 
@@ -175,11 +193,19 @@ def vase():
     return "\n".join(lines) + "\n"
 
 
+# Side and blur in texels: each is to have a texel a pixel where scenes show it at 1920x1080, edges 2 to 4 pixels wide.
+TEXTURES = ((checker, 512, 2.5), (bricks, 256, 2.5), (wood, 1024, 4), (marble, 1024, 4), (tiles, 512, 2.5))
+
+
+def write_texture(texture):
+    path = ASSETS / "textures" / f"{texture[0].__name__}.png"
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_bytes(png(*texture))
+
+
 def main():
-    for pixel in (checker, bricks, wood, marble, tiles):
-        path = ASSETS / "textures" / f"{pixel.__name__}.png"
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_bytes(png(pixel))
+    with multiprocessing.Pool() as pool:
+        pool.map(write_texture, TEXTURES, 1)
     model = ASSETS / "models" / "vase.obj"
     model.parent.mkdir(parents=True, exist_ok=True)
     model.write_text(vase())

@@ -1,11 +1,13 @@
 #include "ui/session/open_file.h"
 
+#include "capture/opening_view.h"
 #include "capture/sidecar.h"
 #include "image/image_file.h"
 #include "scene/scene_file.h"
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 namespace sandbox {
 
@@ -38,11 +40,22 @@ void take_sidecar(OpenedFile &file, const PictureOptions &options) {
     }
 }
 
+/// What a sidecar does not say, the scene may.
+void take_opening(OpenedFile &file, const OpeningView &view) {
+    file.left = file.left ? file.left : view.left;
+    file.right = file.right ? file.right : view.right;
+    file.layout = file.layout ? file.layout : view.layout;
+}
+
 } // namespace
 
 OpenedFile open_file(const std::string &name_or_path, const Assets &assets) {
+    return open_file(name_or_path, assets, open_scene(name_or_path, assets));
+}
+
+OpenedFile open_file(const std::string &name_or_path, const Assets &assets, Scene scene) {
     OpenedFile file;
-    file.scene = open_scene(name_or_path, assets);
+    file.scene = std::move(scene);
     const std::filesystem::path path(name_or_path);
     file.name = path.stem().string();
     if (!is_builtin(name_or_path, assets) && path.extension() == ".json") {
@@ -50,6 +63,7 @@ OpenedFile open_file(const std::string &name_or_path, const Assets &assets) {
             take_sidecar(file, *options);
         }
     }
+    take_opening(file, opening_view(file.scene, name_or_path));
     return file;
 }
 

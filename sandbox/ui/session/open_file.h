@@ -30,6 +30,8 @@ struct OpenedFile {
 
 /// Throws InputError.
 OpenedFile open_file(const std::string &name_or_path, const Assets &assets);
+/// Likewise, where `scene` is the file's with settings of its own.
+OpenedFile open_file(const std::string &name_or_path, const Assets &assets, Scene scene);
 
 /// A scene or a sidecar as text, from the clipboard. Throws InputError.
 OpenedFile open_text(const std::string &text);

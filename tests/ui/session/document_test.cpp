@@ -90,17 +90,55 @@ TEST(Document, ATextbooksPictureLastsAsLongAsItsTechnique) {
     EXPECT_FALSE(session.document.left_is_textbook());
 }
 
-TEST(Document, ASceneBringsNoTechnique) {
-    const OpenedFile file = open_file("three-point-lights", Assets("assets"));
-    EXPECT_EQ(file.name, "three-point-lights");
+TEST(Document, ASceneWithoutCompareBringsNoTechnique) {
+    TemporaryFolder folder;
+    write_file(folder.path() / "ball.json", "{}");
+    const OpenedFile file = open_file((folder.path() / "ball.json").string(), Assets("assets"));
+    EXPECT_EQ(file.name, "ball");
     EXPECT_FALSE(file.left || file.right || file.layout || file.capture);
     Session session = session_with(Scene{});
     session.document.left = parse_technique("flat/lambert");
     EXPECT_EQ(document_from(file, session).left, session.document.left);
 }
 
+TEST(Document, ASceneOpensAsItsKeyCompareSays) {
+    const OpenedFile file = open_file("three-point-lights", Assets("assets"));
+    EXPECT_EQ(file.name, "three-point-lights");
+    EXPECT_FALSE(file.capture);
+    const Document document = document_from(file, session_with(Scene{}));
+    EXPECT_EQ(to_string(document.left), document.scene.compare.left);
+    EXPECT_EQ(to_string(document.right), document.scene.compare.right);
+    ViewSettings view{.layout = Layout::wipe};
+    take_view(view, file);
+    EXPECT_EQ(to_string(view.layout), document.scene.compare.layout);
+}
+
+/// A sidecar of one view says nothing of B nor of the layout, so there the scene does.
+TEST(Document, ASidecarGoesBeforeItsScenesCompare) {
+    TemporaryFolder folder;
+    Session session = session_with(Scene{});
+    session.document.scene.compare = {"flat/lambert", "flat/phong", "difference"};
+    const auto opened = [&](Layout layout) {
+        session.view.layout = layout;
+        const auto path = folder.path() / "a.png.json";
+        write_file(path, sidecar_text(session.document.scene, picture_options(session, {300, 200}), {}));
+        return open_file(path.string(), Assets("assets"));
+    };
+    const OpenedFile both = opened(Layout::wipe);
+    EXPECT_EQ(both.left, gouraud);
+    EXPECT_EQ(both.right, blinn);
+    EXPECT_EQ(both.layout, Layout::wipe);
+    const OpenedFile one = opened(Layout::single);
+    EXPECT_EQ(one.left, gouraud);
+    EXPECT_EQ(one.right, parse_technique("flat/phong"));
+    EXPECT_EQ(one.layout, Layout::difference);
+}
+
 TEST(Document, ABadFileSaysWhatIsWrong) {
     TemporaryFolder folder;
+    write_file(folder.path() / "opening.json", R"({"compare": {"right": "per-pixel/fong"}})");
+    const std::string name = (folder.path() / "opening.json").string();
+    EXPECT_TRUE(error_of([&] { open_file(name, Assets("assets")); }).starts_with(name + ": compare.right: "));
     const auto path = folder.path() / "bad.json";
     write_file(path, R"({"lights": [{"type": "torch"}]})");
     const std::string error = error_of([&] { open_file(path.string(), Assets("assets")); });
