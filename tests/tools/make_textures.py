@@ -193,8 +193,9 @@ def vase():
     return "\n".join(lines) + "\n"
 
 
-# Side and blur in texels: each is to have a texel a pixel where scenes show it at 1920x1080, edges 2 to 4 pixels wide.
-TEXTURES = ((checker, 512, 2.5), (bricks, 256, 2.5), (wood, 1024, 4), (marble, 1024, 4), (tiles, 512, 2.5))
+# Side and blur in texels: each is to have a texel a pixel where scenes show it at 1920x1080, and to be as sharp as float32
+# coordinates can hold within 2e-5.
+TEXTURES = ((checker, 512, 4), (bricks, 256, 2.5), (wood, 1024, 5.5), (marble, 1024, 7), (tiles, 512, 2.5))
 
 
 def write_texture(texture):
