@@ -4,7 +4,7 @@
 
 namespace sandbox {
 
-inline const Arguments three_lights{"three-point-lights", "--left", "per-vertex/phong", "--right",
+inline const Arguments three_lights{"three-point-lights", "--left", "per-vertex/blinn-phong", "--right",
                                     "per-pixel/blinn-phong"};
 
 /// The window, worked by scripts: `view --script` of the built program, which needs no display.

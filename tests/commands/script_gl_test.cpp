@@ -136,7 +136,7 @@ expect Difference/largest "no pixel differs"
 )"));
     EXPECT_PLAYED(
         play("expect View/differ \"A and B differ in: frequency\"\nexpect A/name \"per-vertex / blinn-phong\"\n"
-             "expect View/description triangles\n",
+             "expect View/description highlights\n",
              {})); // the opening picture
     const ProcessResult timed = run_sandbox({"view", "--script", folder.file("times.txt")},
                                             "echo 'expect A/time ms' > " + folder.file("times.txt") + " &&");
@@ -319,7 +319,7 @@ expect Status mine.json
 key Ctrl+C
 expect Status clipboard
 key Ctrl+Z
-expect Lights/1/diffuse 0.8
+expect Lights/1/diffuse 0.72
 key Ctrl+V
 expect Lights/1/diffuse 0.000
 key Ctrl+Z

@@ -30,7 +30,7 @@ TEST(Resources, AreSharedByEqualShapesAndTextures) {
     EXPECT_NE(first[0].mesh, first[2].mesh);
     EXPECT_EQ(first[0].texture, first[3].texture);
     EXPECT_EQ(first[1].texture, nullptr);
-    EXPECT_EQ(first[0].texture->size, (Size{256, 256}));
+    EXPECT_EQ(first[0].texture->size, (Size{1024, 1024}));
     EXPECT_EQ(first[0].mesh->positions, build_mesh(SphereShape{}).positions);
     const auto second = resources.load(scene);
     EXPECT_EQ(first[2].mesh, second[2].mesh) << "kept from one load to the next";

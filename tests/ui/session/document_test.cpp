@@ -113,7 +113,7 @@ TEST(Document, ASceneOpensAsItsKeyCompareSays) {
     EXPECT_EQ(to_string(view.layout), document.scene.compare.layout);
 }
 
-/// A sidecar of one view says nothing of B nor of the layout, so there the scene does.
+/// A sidecar says how the window stood, so the scene does not.
 TEST(Document, ASidecarGoesBeforeItsScenesCompare) {
     TemporaryFolder folder;
     Session session = session_with(Scene{});
@@ -130,8 +130,8 @@ TEST(Document, ASidecarGoesBeforeItsScenesCompare) {
     EXPECT_EQ(both.layout, Layout::wipe);
     const OpenedFile one = opened(Layout::single);
     EXPECT_EQ(one.left, gouraud);
-    EXPECT_EQ(one.right, parse_technique("flat/phong"));
-    EXPECT_EQ(one.layout, Layout::difference);
+    EXPECT_EQ(one.right, blinn);
+    EXPECT_EQ(one.layout, Layout::single);
 }
 
 TEST(Document, ABadFileSaysWhatIsWrong) {
