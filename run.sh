@@ -16,5 +16,5 @@ if [[ $# -gt 0 || -n ${DISPLAY:-} || -n ${WAYLAND_DISPLAY:-} ]]; then
 fi
 echo "No display: capturing a comparison of two techniques."
 "$build/shading-sandbox" capture studio --left per-vertex/blinn-phong --right per-pixel/blinn-phong \
-    --layout side-by-side --labels --size 1600x660 --out comparison.png
+    --layout side-by-side --labels --samples 16 --size 1600x660 --out comparison.png
 echo "Wrote $PWD/comparison.png"

@@ -1,6 +1,7 @@
 #include "capture/picture.h"
 
 #include "capture/labels.h"
+#include "capture/samples.h"
 #include "image/cut_paste.h"
 #include "image/difference.h"
 #include "image/error.h"
@@ -76,13 +77,17 @@ Strips strips_of(const PictureOptions &options) {
 std::vector<Image> draw_views(const Scene &scene, const PictureOptions &options, Size room, const Painters &painters) {
     const Scene left_scene = with_mesh_factor(scene, options.mesh_factors[0]);
     const Scene right_scene = with_mesh_factor(scene, options.mesh_factors[1]);
-    const auto left = [&](Size size) {
-        return (options.textbook_left ? painters.textbook : painters.draw)(left_scene, options.left, size);
+    const auto sampled = [&](const DrawView &draw, const Scene &of, const Technique &technique, Size size) {
+        return draw_samples(of, size, options.samples,
+                            [&](const Scene &shifted) { return draw(shifted, technique, size); });
     };
-    const auto right = [&](Size size) { return painters.draw(right_scene, options.right, size); };
+    const auto left = [&](Size size) {
+        return sampled(options.textbook_left ? painters.textbook : painters.draw, left_scene, options.left, size);
+    };
+    const auto right = [&](Size size) { return sampled(painters.draw, right_scene, options.right, size); };
     const auto truth = [&](bool of_right, Size size) {
-        return painters.truth(of_right ? right_scene : left_scene, truth_of(of_right ? options.right : options.left),
-                              size);
+        return sampled(painters.truth, of_right ? right_scene : left_scene,
+                       truth_of(of_right ? options.right : options.left), size);
     };
     const std::vector<Size> sizes = view_sizes(options.layout, room);
     if (options.layout == Layout::single) {

@@ -58,6 +58,7 @@ struct PictureOptions {
     double gain = 1; ///< factor on a difference in a PNG
     DifferenceOf difference_of = DifferenceOf::a_b;
     double divider = 0.5; ///< the left view's share of a wipe's width
+    int samples = 1;      ///< a pixel of the views, for a PNG that is no difference
     bool wireframe = false;
     bool labels = false;
     Marks marks;      ///< in a PNG

@@ -1,5 +1,6 @@
 #include "capture/sidecar.h"
 
+#include "capture/samples.h"
 #include "image/error.h"
 #include "scene/scene_file.h"
 
@@ -87,6 +88,9 @@ std::string sidecar_text(const Scene &scene, const PictureOptions &options, cons
     if (options.mesh_factors != MeshFactors{1, 1}) {
         out["mesh_factors"] = options.mesh_factors;
     }
+    if (options.samples != 1) {
+        out["samples"] = options.samples;
+    }
     if (options.wireframe) {
         out["wireframe"] = true;
     }
@@ -141,6 +145,7 @@ std::optional<PictureOptions> sidecar_options(std::string_view text, std::string
     read("mesh_factors", [&](const ordered_json &v) {
         options.mesh_factors = {checked_mesh_factor(v.at(0).get<double>()), checked_mesh_factor(v.at(1).get<double>())};
     });
+    read("samples", [&](const ordered_json &v) { options.samples = checked_samples(v.get<double>()); });
     read_value("vectors", options.marks.vectors);
     read_value("loupe", options.marks.loupe);
     read_value("wireframe", options.wireframe);

@@ -2,6 +2,7 @@
 
 #include "capture/frame_names.h"
 #include "capture/grid.h"
+#include "capture/samples.h"
 #include "capture/sidecar.h"
 #include "commands/interrupt.h"
 #include "commands/progress_bar.h"
@@ -31,7 +32,7 @@ struct CaptureFlags {
     std::optional<Layout> layout;
     std::optional<Size> size;
     std::optional<Display> display;
-    std::optional<double> gain, exposure, orbit;
+    std::optional<double> gain, exposure, orbit, samples;
     std::optional<int> frames;
     std::optional<DifferenceOf> difference_of;
     std::optional<MeshFactors> mesh_factors;
@@ -123,8 +124,15 @@ PictureOptions picture_options(const CaptureFlags &flags) {
     options.exposure = flags.exposure.value_or(options.exposure);
     options.mesh_factors = flags.mesh_factors.value_or(options.mesh_factors);
     options.difference_of = flags.difference_of.value_or(options.difference_of);
+    options.samples =
+        flags.samples ? with_flag("--samples", [&] { return checked_samples(*flags.samples); }) : options.samples;
     options.wireframe = options.wireframe || flags.wireframe;
     take_marks(options.marks, flags);
+    const bool one_sample = options.layout == Layout::difference || options.marks.loupe;
+    if (flags.samples && one_sample) {
+        throw InputError("--samples: a difference and a loupe show what is measured, one sample a pixel");
+    }
+    options.samples = one_sample ? 1 : options.samples;
     options.labels = (options.labels || flags.labels) && !flags.no_labels;
     options.view = flags.view.empty() ? options.view : flags.view;
     check_positive("--gain", options.gain);
@@ -137,6 +145,7 @@ void refuse_display_flags(const CaptureFlags &flags) {
     const std::pair<bool, const char *> display_flags[] = {{flags.display.has_value(), "--display"},
                                                            {flags.exposure.has_value(), "--exposure"},
                                                            {flags.gain.has_value(), "--gain"},
+                                                           {flags.samples.has_value(), "--samples"},
                                                            {flags.labels, "--labels"},
                                                            {flags.vectors, "--vectors"},
                                                            {flags.loupe, "--loupe"},
@@ -256,6 +265,7 @@ int run_capture(const CaptureFlags &flags, const CommonOptions &common) {
     options = grid ? cell_options(options, grid->techniques.front()) : options;
     options.labels = options.labels && !pfm;
     options.wireframe = options.wireframe && !pfm;
+    options.samples = pfm ? 1 : options.samples;
     const Scene scene = open_scene(common, flags.scene, flags.view);
 
     DrawingSession session(common);
@@ -320,6 +330,8 @@ void add_capture(CLI::App &app, CommonOptions &common, Run &run) {
     add_parsed(command, "--mesh-factor", "F|A,B", flags->mesh_factors, parse_mesh_factors,
                "Coarser or finer meshes: factor on rings, segments and divisions, of all views or of A and of B, such "
                "as 1/4,4 [1]");
+    add_value(command, "--samples", "N", flags->samples,
+              "Sub-pixel samples of a PNG, for pictures to show: measured is 1 [1]");
     command.add_flag("--wireframe", flags->wireframe, "Draw the triangles' edges over a PNG");
     command.add_flag("--labels", flags->labels, "Write the techniques in a strip above the views");
     command.add_flag("--no-labels", flags->no_labels, "No labels, even if the sidecar asks for them");

@@ -50,6 +50,9 @@ struct Camera {
     double far_plane = 100;
     Projection projection = Projection::perspective;
     double height = 0; ///< of what an orthographic picture shows, world units, fov_y_degrees at its default; else 0
+    /// Moves the picture by so much (x to the right, y up, the whole picture is 2 wide and high): a sub-pixel sample's.
+    /// Not in a scene's file.
+    glm::dvec2 picture_shift{0};
     bool operator==(const Camera &) const = default;
 };
 

@@ -133,13 +133,7 @@ glm::dmat4 orthographic_projection(const Camera &camera, const CameraAxes &axes,
             {0, 0, -(camera.far_plane + camera.near_plane) / depth, 1}};
 }
 
-} // namespace
-
-glm::dmat4 view_projection(const Camera &camera, double aspect) {
-    const CameraAxes axes = camera_axes(camera);
-    if (is_orthographic(camera)) {
-        return orthographic_projection(camera, axes, aspect);
-    }
+glm::dmat4 perspective_projection(const Camera &camera, const CameraAxes &axes, double aspect) {
     const double focal = 1 / std::tan(camera.fov_y_degrees * (std::numbers::pi / 360));
     const double near = camera.near_plane;
     const double depth = camera.far_plane - near;
@@ -152,6 +146,19 @@ glm::dmat4 view_projection(const Camera &camera, double aspect) {
             {x.y, y.y, z.y, w.y},
             {x.z, y.z, z.z, w.z},
             {0, 0, -2 * (camera.far_plane * near / depth), 0}};
+}
+
+} // namespace
+
+glm::dmat4 view_projection(const Camera &camera, double aspect) {
+    const CameraAxes axes = camera_axes(camera);
+    glm::dmat4 clip = is_orthographic(camera) ? orthographic_projection(camera, axes, aspect)
+                                              : perspective_projection(camera, axes, aspect);
+    for (int i = 0; i < 4; ++i) {
+        clip[i].x += camera.picture_shift.x * clip[i].w;
+        clip[i].y += camera.picture_shift.y * clip[i].w;
+    }
+    return clip;
 }
 
 } // namespace sandbox

@@ -74,6 +74,9 @@ TEST(Cli, CaptureFlagsThatContradictEachOther) {
     refused({"--out", "a.png", "--layout", "wipe"}, "--left");
     refused({"--out", "a.png", "--technique", "flat/phong", "--left", "flat/phong"}, "--technique");
     refused({"--out", "a.png", "--gain", "2"}, "--gain");
+    refused({"--out", "a.png", "--samples", "0"}, "--samples: expected a whole number from 1 to 256");
+    refused({"--out", "a.png", "--samples", "4", "--pixel", "0.5,0.5", "--loupe"}, "--samples");
+    refused({"--out", "a.pfm", "--samples", "4"}, "--samples");
     refused({"--out", "a.png", "--exposure", "nan"}, "--exposure");
     refused({"--out", "a.png", "--exposure", "0"}, "--exposure");
     refused({"--out", "a.png", "--display", "gamma"}, "--display");
