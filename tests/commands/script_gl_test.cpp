@@ -305,6 +305,9 @@ click Stability/spot-cutoff-0
 expect A/name textbook
 key Ctrl+Z
 expect A/name "per-vertex / blinn-phong"
+click Scene
+click Scene/box-4-normal-matrix
+expect A/name "normals by the model matrix"
 drop bad.json
 expect Status lights
 )"));

@@ -1,6 +1,7 @@
 #include "ui/views/view_captions.h"
 
 #include "capture/picture.h"
+#include "ui/session/fault_names.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -36,17 +37,30 @@ std::string shortened(std::string text, float width) {
     return text + " ...";
 }
 
+/// "    attenuation per vertex, power: stable": what differs from the defaults, faults under people's names.
+std::string deviations(const Technique &technique) {
+    std::string names;
+    for (const TechniqueKey &key : technique_keys()) {
+        if (const int value = key.get(technique); value != 0 && key.kind != TechniqueKey::Kind::choice) {
+            const std::string_view fault = fault_name(key, value);
+            names += names.empty() ? "    " : ", ";
+            names += fault.empty() ? title_of(key, value) : std::string(fault);
+        }
+    }
+    return names;
+}
+
 /// "A  per-vertex / phong", then what differs from the defaults.
 std::string side_name(const Session &session, bool right) {
+    const Technique &technique = session.technique(right);
     const bool textbook = !right && session.document.left_is_textbook();
-    std::string text = textbook ? textbook_name(session.document.left) : to_string(session.technique(right));
+    std::string text = textbook ? textbook_name(technique)
+                                : to_string(Technique{.frequency = technique.frequency, .model = technique.model});
     if (const auto slash = text.find('/'); slash != std::string::npos) {
         text.replace(slash, 1, " / ");
     }
-    if (const auto colon = text.find(':'); colon != std::string::npos) {
-        text.replace(colon, 1, "    ");
-    }
-    return (right ? "B   " : "A   ") + text + mesh_factor_note(session.document.mesh_factors[right ? 1 : 0]);
+    return (right ? "B   " : "A   ") + text + mesh_factor_note(session.document.mesh_factors[right ? 1 : 0]) +
+           (textbook ? "" : deviations(technique));
 }
 
 /// In what A and B differ.
@@ -178,8 +192,13 @@ void draw_header(Session &session, const ViewPainter &painter, ImVec2 corner, fl
 
 void draw_captions(Session &session, const ViewPainter &painter, const Rect &picture, bool right, bool align_right,
                    bool run_time) {
-    draw_text_line(session, right ? "B/name" : "A/name", picture, picture.low.y - ImGui::GetFrameHeight(),
-                   side_color(right), side_name(session, right), align_right);
+    const float y = picture.low.y - ImGui::GetFrameHeight();
+    const std::string name = side_name(session, right);
+    draw_text_line(session, right ? "B/name" : "A/name", picture, y, side_color(right),
+                   shortened(name, picture.width() - ImGui::GetFontSize()), align_right);
+    if (ImGui::IsMouseHoveringRect({picture.low.x, y}, {picture.high.x, picture.low.y})) {
+        session.hint = name;
+    }
     draw_figures(session, painter, picture, right, align_right, run_time);
 }
 

@@ -108,7 +108,8 @@ TEST(Document, ASceneOpensAsItsKeyCompareSays) {
     const Document document = document_from(file, session_with(Scene{}));
     EXPECT_EQ(to_string(document.left), document.scene.compare.left);
     EXPECT_EQ(to_string(document.right), document.scene.compare.right);
-    ViewSettings view{.layout = Layout::wipe};
+    ViewSettings view;
+    view.layout = Layout::wipe;
     take_view(view, file);
     EXPECT_EQ(to_string(view.layout), document.scene.compare.layout);
 }
