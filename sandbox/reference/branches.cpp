@@ -260,11 +260,15 @@ class Branches {
     /// turn to the light gets any.
     void doubt_short_vectors(std::size_t i, const LightVectors &vectors) {
         const LightTerms terms = sampler_.terms_at(here_, i);
-        // 8 units in the last place are enough for two terms of N's size; a lamp is seen from where the weights say.
-        const double of_n = has_short_normal() ? std::max(here_.weight_terms / 2, 1.0) / here_.normal_length : 1;
-        const double of_position =
-            has_short_normal() && has_position(setup_.lights[i].light) ? here_.position_terms / vectors.d : 0;
-        const double turn = 2 * rounding * (of_n + of_position + excess(vectors.l_length));
+        double turned = 1 + excess(vectors.l_length);
+        if (has_short_normal()) {
+            // 8 units in the last place are enough for two terms of N's size; a lamp is seen from where the weights
+            // say.
+            const InterpolationTerms summed = sampler_.interpolation_terms();
+            turned = std::max(summed.weights / 2, 1.0) / here_.normal_length + excess(vectors.l_length) +
+                     (has_position(setup_.lights[i].light) ? summed.positions / vectors.d : 0);
+        }
+        const double turn = 2 * rounding * turned;
         const double highlight_turn = turn + 2 * rounding * excess(vectors.highlight_length);
         const double steepest = std::sqrt(std::max(terms.exponent, 1.0)) * 2;
         const Amounts amount = amounts(i, terms.vectors.a * terms.s, 1);

@@ -23,10 +23,14 @@ struct SurfacePoint {
     double normal_length = 1;
     glm::dvec3 normal{0}; ///< raw_normal, turned where facing() says so
     glm::dvec3 view{0};
-    double view_length = 1;    ///< of an interpolated V, before it was made unit
-    glm::dvec3 weights{0};     ///< of a triangle's corners, if it is on one
-    double weight_terms = 1;   ///< weights_before_cancelling() of that triangle
-    double position_terms = 0; ///< the same of the corners' distances from here
+    double view_length = 1; ///< of an interpolated V, before it was made unit
+    glm::dvec3 weights{0};  ///< of a triangle's corners, if it is on one
+};
+
+/// The terms of an interpolation's sums, which cancel to what is left at a point: float32 rounds those.
+struct InterpolationTerms {
+    double weights = 1;   ///< weights_before_cancelling()
+    double positions = 0; ///< the corners' distances from the point, at most, times that
 };
 
 /// Every intermediate of one light at one point.
@@ -70,6 +74,8 @@ class Sampler {
     [[nodiscard]] virtual SurfacePoint point_at(double dx, double dy) const = 0;
     /// The vectors of one light (an index into Setup::lights) at one of those points; exact unless overridden.
     [[nodiscard]] virtual LightVectors vectors(const SurfacePoint &point, std::size_t light) const;
+    /// Of the point itself; as if nothing cancels where nothing is interpolated.
+    [[nodiscard]] virtual InterpolationTerms interpolation_terms() const { return {}; }
 
     /// The sum over all lights at one of those points.
     [[nodiscard]] Reflected reflect(Terms terms, const SurfacePoint &point) const;

@@ -49,12 +49,7 @@ glm::dvec3 Fragment::weights(double dx, double dy) const { return weights_at(on_
 SurfacePoint Fragment::point_at(double dx, double dy) const {
     SurfacePoint point;
     point.weights = weights(dx, dy);
-    point.weight_terms = weights_before_cancelling(on_screen_, x_ + dx, y_ + dy);
     point.position = blend(point.weights, mesh_.positions, triangle_);
-    for (int i = 0; i < 3; ++i) {
-        const double distance = glm::distance(point.position, mesh_.positions[triangle_[i]]);
-        point.position_terms = std::max(point.position_terms, point.weight_terms * distance);
-    }
     point.raw_normal = blend(point.weights, mesh_.normals, triangle_);
     if (keeps_normal_lengths()) {
         point.normal_length = 1 / std::max(glm::length(point.raw_normal), 1e-300);
@@ -71,6 +66,15 @@ SurfacePoint Fragment::point_at(double dx, double dy) const {
     }
     point.normal = facing(setup_, object_.two_sided, point.raw_normal, point.view, side_);
     return point;
+}
+
+InterpolationTerms Fragment::interpolation_terms() const {
+    double farthest = 0;
+    for (int i = 0; i < 3; ++i) {
+        farthest = std::max(farthest, glm::distance(here_.position, mesh_.positions[triangle_[i]]));
+    }
+    const double weights = weights_before_cancelling(on_screen_, x_, y_);
+    return {weights, weights * farthest};
 }
 
 /// Where interpolated vectors are computed: N is not turned there.

@@ -13,6 +13,7 @@ class Fragment : public Sampler {
 
     [[nodiscard]] SurfacePoint point_at(double dx, double dy) const override;
     [[nodiscard]] LightVectors vectors(const SurfacePoint &point, std::size_t light) const override;
+    [[nodiscard]] InterpolationTerms interpolation_terms() const override;
 
     [[nodiscard]] glm::dvec3 color() const;
     /// The texture's or checker's colour here.
