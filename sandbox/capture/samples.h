@@ -10,6 +10,7 @@
 namespace sandbox {
 
 constexpr int most_samples = 256;
+constexpr int samples_at_rest = 16; ///< of the window's pictures, once nothing moves
 
 /// Sample `index` of `count`, from the pixel's centre, in pixels (x to the right, y down), each within half a pixel:
 /// the points of Hammersley's set, one in each of `count` equal columns and, for powers of two, rows. Of one sample, 0.

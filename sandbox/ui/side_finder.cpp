@@ -1,8 +1,11 @@
 #include "ui/side_finder.h"
 
+#include "capture/samples.h"
 #include "image/error.h"
 #include "measure/stability/textbook.h"
+#include "reference/parallel.h"
 #include "ui/jobs/side_findings.h"
+#include "ui/views/painters.h"
 
 #include <imgui.h>
 #include <utility>
@@ -18,7 +21,7 @@ SideFinder::~SideFinder() {
 }
 
 /// False if there can be no second context.
-bool SideFinder::start_job(Work work) {
+bool SideFinder::start_job(Task task, Work work) {
     if (!context_) {
         try {
             context_ = supplies_.context->make_worker();
@@ -27,6 +30,7 @@ bool SideFinder::start_job(Work work) {
             return false;
         }
     }
+    task_ = task;
     job_ = std::make_unique<BackgroundJob>(
         [this, work = std::move(work)](JobReporter &reporter) {
             const WorkerContext::Current current(*context_);
@@ -40,11 +44,11 @@ bool SideFinder::start_job(Work work) {
     return true;
 }
 
-void SideFinder::start(const SidesShown &shown) {
-    started_ = shown;
+void SideFinder::find_errors_of(const SidesShown &shown) {
+    judged_ = shown;
     found_.reset();
-    start_job([this, shown](Renderer &renderer, JobReporter &reporter) {
-        find_out(shown, renderer, reporter, [&](const Findings &findings) {
+    start_job(Task::errors, [this, shown](Renderer &renderer, JobReporter &reporter) {
+        find_errors(shown, renderer, reporter, [&](const Findings &findings) {
             {
                 const std::lock_guard lock(mutex_);
                 found_ = std::make_shared<const Findings>(findings);
@@ -54,11 +58,44 @@ void SideFinder::start(const SidesShown &shown) {
     });
 }
 
+void SideFinder::smooth(const ViewKeys &keys) {
+    smoothed_ = keys;
+    smooth_.reset();
+    start_job(Task::smoothing, [this, keys](Renderer &renderer, JobReporter &reporter) {
+        SmoothPictures pictures{keys, {}};
+        for (std::size_t side = 0; side < keys.size(); ++side) {
+            const ViewKey &key = keys[side];
+            const DrawView draw = painters_of(renderer, key.wireframe).draw;
+            try {
+                pictures.means[side] = std::make_shared<const Image>(
+                    draw_samples(key.scene, key.size, samples_at_rest, [&](const Scene &shifted) {
+                        return reporter.cancelled() ? throw Cancelled() : draw(shifted, key.technique, key.size);
+                    }));
+            } catch (const Cancelled &) {
+                return;
+            }
+        }
+        const std::lock_guard lock(mutex_);
+        smooth_ = std::make_shared<const SmoothPictures>(std::move(pictures));
+    });
+}
+
+void SideFinder::find_times_of(const SidesShown &shown) {
+    timed_ = shown;
+    start_job(Task::times, [this, findings = *found_](Renderer &renderer, JobReporter &reporter) {
+        Findings timed = findings;
+        if (find_times(timed, renderer, reporter)) {
+            const std::lock_guard lock(mutex_);
+            found_ = std::make_shared<const Findings>(std::move(timed));
+        }
+    });
+}
+
 /// Whatever fails here fails again where the window draws it, and is said there.
 void SideFinder::start_making(const SlowPicture &picture) {
     made_ = picture;
     made_image_.reset();
-    const bool started = start_job([this, picture](Renderer &renderer, JobReporter & /*reporter*/) {
+    const bool started = start_job(Task::making, [this, picture](Renderer &renderer, JobReporter & /*reporter*/) {
         if (picture.textbook) {
             const auto resources = renderer.resources().load(picture.scene);
             made_image_ = textbook_picture(picture.scene, resources, picture.technique, picture.size).color;
@@ -73,12 +110,24 @@ void SideFinder::start_making(const SlowPicture &picture) {
     }
 }
 
+void SideFinder::end_job(ViewPainter &painter) {
+    job_.reset();
+    if (made_) {
+        painter.made_aside(*std::exchange(made_, {}), std::exchange(made_image_, {}));
+    }
+}
+
+/// Its end wakes the window; what it was to find is then unknown.
+void SideFinder::cancel_job() {
+    job_->cancel();
+    judged_ = task_ == Task::errors ? std::nullopt : judged_;
+    smoothed_ = task_ == Task::smoothing ? std::nullopt : smoothed_;
+    timed_ = task_ == Task::times ? std::nullopt : timed_;
+}
+
 void SideFinder::update(const Session &session, ViewPainter &painter) {
     if (job_ && job_->state() != JobState::running) {
-        job_.reset();
-        if (made_) {
-            painter.made_aside(*std::exchange(made_, {}), std::exchange(made_image_, {}));
-        }
+        end_job(painter);
     }
     if (impossible_) {
         painter.wait_for_no_program();
@@ -87,28 +136,35 @@ void SideFinder::update(const Session &session, ViewPainter &painter) {
     if (const SlowPicture *picture = painter.awaited()) {
         if (!job_) {
             start_making(*picture);
-        } else if (!made_) {
-            job_->cancel(); // its end wakes the window
-            started_.reset();
+        } else if (task_ != Task::making) {
+            cancel_job();
         }
         return;
     }
     if (painter.view(false).size.width == 0) {
         return;
     }
-    wanted_ = painter.sides_shown(shown_document(session));
-    if (started_ != wanted_) {
-        if (job_) {
-            job_->cancel();
-            started_.reset();
-        } else if (!ImGui::IsAnyItemActive() && !session.playback.playing) {
-            start(*wanted_);
+    const SidesShown shown = painter.sides_shown(shown_document(session));
+    const std::optional<ViewKeys> keys = painter.smooth_wanted(session);
+    if (job_) {
+        const bool current = task_ == Task::errors      ? judged_ == shown
+                             : task_ == Task::smoothing ? smoothed_ == keys
+                                                        : timed_ == shown;
+        if (!current && task_ != Task::making) {
+            cancel_job();
+        }
+    } else if (!ImGui::IsAnyItemActive() && !session.playback.playing) {
+        if (judged_ != shown) {
+            find_errors_of(shown);
+        } else if (keys && smoothed_ != keys) {
+            smooth(*keys);
+        } else if (timed_ != shown && found_) {
+            find_times_of(shown);
         }
     }
-    if (started_ == wanted_) {
-        const std::lock_guard lock(mutex_);
-        painter.show_findings(found_);
-    }
+    const std::lock_guard lock(mutex_);
+    painter.show_findings(judged_ == shown ? found_ : nullptr);
+    painter.show_smooth(smoothed_ == keys ? smooth_ : nullptr);
 }
 
 News SideFinder::take_news() { return job_ ? job_->take_news() : News::none; }

@@ -12,7 +12,8 @@
 namespace sandbox {
 
 /// In the background, with a renderer of its own: makes the pictures that the painter awaits and, while nothing is
-/// dragged and nothing plays, finds out about both sides. What is out of date is stopped.
+/// dragged and nothing plays, finds both sides' errors, then smooths the pictures, then takes run times. What is out of
+/// date is stopped.
 class SideFinder {
   public:
     explicit SideFinder(DrawingSupplies supplies) : supplies_(std::move(supplies)) {}
@@ -27,21 +28,30 @@ class SideFinder {
     [[nodiscard]] bool busy() const { return job_ != nullptr; }
 
   private:
+    enum class Task { making, errors, smoothing, times };
     using Work = std::function<void(Renderer &, JobReporter &)>;
-    bool start_job(Work work);
-    void start(const SidesShown &shown);
+    bool start_job(Task task, Work work);
     void start_making(const SlowPicture &picture);
+    void find_errors_of(const SidesShown &shown);
+    void smooth(const ViewKeys &keys);
+    void find_times_of(const SidesShown &shown);
+    void end_job(ViewPainter &painter);
+    void cancel_job();
 
     DrawingSupplies supplies_;
     std::unique_ptr<WorkerContext> context_;
     std::unique_ptr<Renderer> renderer_; ///< lives in that context
     bool impossible_ = false;            ///< there can be no second context
-    std::optional<SidesShown> wanted_, started_;
-    std::optional<SlowPicture> made_; ///< or being made by the job
+    /// What has been done, or is being done by the job.
+    std::optional<SlowPicture> made_;
+    std::optional<SidesShown> judged_, timed_;
+    std::optional<ViewKeys> smoothed_;
     std::optional<Image> made_image_; ///< the job's, until it has ended
     std::mutex mutex_;
-    std::shared_ptr<const Findings> found_; ///< guarded by mutex_; of started_
-    std::unique_ptr<BackgroundJob> job_;    ///< while one runs; last: ends before what it uses
+    std::shared_ptr<const Findings> found_;        ///< guarded by mutex_; of judged_
+    std::shared_ptr<const SmoothPictures> smooth_; ///< guarded by mutex_; of smoothed_
+    Task task_ = Task::making;                     ///< the job's
+    std::unique_ptr<BackgroundJob> job_;           ///< while one runs; last: ends before what it uses
 };
 
 } // namespace sandbox

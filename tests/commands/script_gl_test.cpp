@@ -1,7 +1,12 @@
 #include "commands/script_gl.h"
+#include "image/png.h"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
+#include <iterator>
 #include <sstream>
 #include <thread>
 
@@ -181,6 +186,25 @@ TEST_F(ScriptGl, ACaptureRestoresTheView) {
         run_sandbox({"capture", folder.file("three-point-lights-001.png.json"), "--out", folder.file("again.png")});
     EXPECT_EQ(again.exit_code, 0) << again.err;
     expect_same("again.png", "three-point-lights-001.png");
+}
+
+/// What stands in the window is what the capture holds: 16 samples a pixel once nothing moves.
+TEST_F(ScriptGl, PicturesAtRestAreSmoothAndCapturedSo) {
+    EXPECT_PLAYED(play("key Tab\nkey 3\nshot shown.png\nkey F12\nwait\nkey 4\nwait\nkey F12\n"));
+    const Image shown = decode_png(folder.read("shown.png"), "shown.png");
+    const Image captured = decode_png(folder.read("three-point-lights-001.png"), "captured");
+    ASSERT_EQ(shown.size.width, captured.size.width);
+    const auto lower = std::next(captured.pixels.begin(), std::ssize(captured.pixels) / 2); // has no labels
+    const auto alike = [](const glm::vec4 &a, const glm::vec4 &b) { // a card rounds halves to either level
+        return glm::all(glm::lessThanEqual(glm::abs(a - b), glm::vec4(1.01F / 255)));
+    };
+    EXPECT_NE(std::search(shown.pixels.begin(), shown.pixels.end(), lower, captured.pixels.end(), alike),
+              shown.pixels.end());
+    const std::string sidecar = folder.file("three-point-lights-001.png.json");
+    EXPECT_NE(folder.read("three-point-lights-001.png.json").find("\"samples\": 16"), std::string::npos);
+    EXPECT_EQ(run_sandbox({"capture", sidecar, "--samples", "1", "--out", folder.file("plain.png")}).exit_code, 0);
+    expect_other("plain.png", "three-point-lights-001.png");
+    EXPECT_EQ(folder.read("three-point-lights-002.png.json").find("\"samples\""), std::string::npos) << "a difference";
 }
 
 /// The message stands until the next key or click, also with the panels hidden, and is in no picture of the views.

@@ -117,8 +117,8 @@ class Finder {
 
 } // namespace
 
-void find_out(const SidesShown &shown, Renderer &renderer, JobReporter &reporter,
-              const std::function<void(const Findings &)> &publish) {
+void find_errors(const SidesShown &shown, Renderer &renderer, JobReporter &reporter,
+                 const std::function<void(const Findings &)> &publish) {
     try {
         Finder finder(shown, renderer, reporter);
         Findings findings{shown, {}, {}};
@@ -129,13 +129,15 @@ void find_out(const SidesShown &shown, Renderer &renderer, JobReporter &reporter
         }
         finder.compare_at(shown.size, false, findings);
         publish(findings);
-        finder.take_times(findings);
-        if (!finder.stopped()) {
-            publish(findings);
-        }
     } catch (const Cancelled &) {
         return; // what is asked next is found out next
     }
+}
+
+bool find_times(Findings &findings, Renderer &renderer, JobReporter &reporter) {
+    Finder finder(findings.of, renderer, reporter);
+    finder.take_times(findings);
+    return !finder.stopped();
 }
 
 } // namespace sandbox

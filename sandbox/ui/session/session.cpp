@@ -1,5 +1,7 @@
 #include "ui/session/session.h"
 
+#include "capture/samples.h"
+
 #include <algorithm>
 #include <exception>
 
@@ -23,6 +25,13 @@ const Light &Session::opened_light(std::size_t light) const {
     static const Light fresh;
     const auto &lights = document.opened->scene.lights;
     return light < lights.size() ? lights[light] : fresh;
+}
+
+int samples_shown(const Session &session) {
+    const ViewSettings &view = session.view;
+    const bool single = view.layout == Layout::difference || view.layout == Layout::three_up || view.loupe ||
+                        view.masks || session.document.left_is_textbook();
+    return single ? 1 : samples_at_rest;
 }
 
 void attempt(Session &session, const std::string &failure, const std::function<void()> &action) {

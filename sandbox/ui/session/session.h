@@ -114,6 +114,9 @@ struct Session {
     [[nodiscard]] Technique &technique(bool right) { return right ? document.right : document.left; }
 };
 
+/// Samples a pixel of the pictures once nothing moves: 1 where they stand beside what has one (a truth, a textbook's
+/// picture), are measured (a difference, masks) or magnified.
+int samples_shown(const Session &session);
 /// Runs `action`; what it throws becomes the status line's message, after `failure`.
 void attempt(Session &session, const std::string &failure, const std::function<void()> &action);
 /// Replaces the document, as one step that can be undone.

@@ -69,6 +69,7 @@ PictureOptions picture_options(const Session &session, Size each) {
     options.exposure = document.exposure;
     options.gain = session.view.gain;
     options.difference_of = session.view.difference_of;
+    options.samples = samples_shown(session);
     options.wireframe = session.view.wireframe;
     options.divider = static_cast<double>(session.view.divider);
     options.labels = true;

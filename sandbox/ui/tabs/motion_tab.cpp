@@ -103,7 +103,8 @@ void course_controls(Session &session) {
 void MotionTab::capture(Session &session, ViewPainter &painter) {
     attempt(session, "Not captured: ", [&] {
         const Size each = painter.view(false).size;
-        const PictureOptions options = picture_options(session, each);
+        PictureOptions options = picture_options(session, each);
+        options.samples = 1; // as it plays
         const auto folder =
             std::filesystem::absolute(new_folder(capture_folder(), session.document.opened->name + "-motion"));
         sequence_job_ = start_sequence(

@@ -11,10 +11,10 @@
 namespace sandbox {
 
 /// Nothing where it can be drawn at once, or fails at once.
-std::optional<SlowPicture> ViewPainter::slow_picture(const Side &side, const Key &key) {
+std::optional<SlowPicture> ViewPainter::slow_picture(const Side &side, const ViewKey &key) {
     SlowPicture slow{&side == &sides_[1], key.textbook, key.scene, key.technique, key.size, {}};
     if (key.textbook) {
-        Key without_wires = key;
+        ViewKey without_wires = key;
         without_wires.wireframe = false;
         return side.textbook && side.textbook->first == without_wires ? std::nullopt : std::optional(slow);
     }
@@ -44,12 +44,12 @@ void ViewPainter::made_aside(const SlowPicture &picture, const std::optional<Ima
     Side &side = sides_[picture.right ? 1 : 0];
     side.awaited.reset();
     if (picture.textbook) { // without an image it has failed, and drawing it says why
-        const Key key{picture.scene, picture.technique, picture.size, true, false, reloads_};
+        const ViewKey key{picture.scene, picture.technique, picture.size, true, false, reloads_};
         side.textbook = {key, image.value_or(Image())};
     }
 }
 
-void ViewPainter::draw_side(Side &side, const Key &key) {
+void ViewPainter::draw_side(Side &side, const ViewKey &key) {
     if (!side.target || side.target->size() != key.size) {
         side.target.reset();
         side.target.emplace(key.size);
@@ -69,7 +69,7 @@ unsigned ViewPainter::display_side(Side &side, const DisplayKey &display) {
     return display_pass_.run(*side.target, *side.display, display.display, static_cast<float>(display.exposure));
 }
 
-bool ViewPainter::paint_side(Side &side, const Key &wanted, const DisplayKey &display) {
+bool ViewPainter::paint_side(Side &side, const ViewKey &wanted, const DisplayKey &display) {
     side.awaited = side.drawn != wanted ? slow_picture(side, wanted) : std::nullopt;
     // The textbook's last picture is shown while the next one is made, so that it follows what is dragged.
     const bool behind = side.awaited && wanted.textbook && side.textbook;
@@ -79,7 +79,7 @@ bool ViewPainter::paint_side(Side &side, const Key &wanted, const DisplayKey &di
     if (side.awaited && !behind) {
         return false;
     }
-    const Key &key = behind ? side.textbook->first : wanted;
+    const ViewKey &key = behind ? side.textbook->first : wanted;
     const bool redraw = side.drawn != key;
     if (!redraw && side.displayed == display) {
         return false;
@@ -114,27 +114,44 @@ bool ViewPainter::paint_side(Side &side, const Key &wanted, const DisplayKey &di
     return redraw;
 }
 
-/// True if the truth's picture is another one than before.
-bool ViewPainter::paint_truth(bool right, bool wanted, const DisplayKey &display) {
-    std::unique_ptr<Truth> &truth = truths_[right ? 1 : 0];
-    const std::shared_ptr<const Image> image =
-        wanted && findings_ ? findings_->sides[right ? 1 : 0].truth : std::shared_ptr<const Image>();
+/// Without an image there is none. True if it is another picture than before.
+bool ViewPainter::upload(std::unique_ptr<Uploaded> &uploaded, const std::shared_ptr<const Image> &image,
+                         const DisplayKey &display) {
     if (!image) {
-        return std::exchange(truth, nullptr) != nullptr;
+        return std::exchange(uploaded, nullptr) != nullptr;
     }
-    const bool redraw = !truth || truth->image != image;
-    if (!truth || truth->target.size() != image->size) {
-        truth = std::make_unique<Truth>(image->size);
+    const bool redraw = !uploaded || uploaded->image != image;
+    if (!uploaded || uploaded->target.size() != image->size) {
+        uploaded = std::make_unique<Uploaded>(image->size);
     }
     if (redraw) {
-        truth->target.write_color(*image);
-        truth->image = image;
+        uploaded->target.write_color(*image);
+        uploaded->image = image;
     }
-    if (redraw || truth->displayed != display) {
-        display_pass_.run(truth->target, truth->display, display.display, static_cast<float>(display.exposure));
-        truth->displayed = display;
+    if (redraw || uploaded->displayed != display) {
+        display_pass_.run(uploaded->target, uploaded->display, display.display, static_cast<float>(display.exposure));
+        uploaded->displayed = display;
     }
     return redraw;
+}
+
+std::optional<ViewKeys> ViewPainter::smooth_wanted(const Session &session) const {
+    const auto &[left, right] = sides_;
+    if (samples_shown(session) == 1 || !left.drawn || !right.drawn || left.shown.texture == 0 ||
+        right.shown.texture == 0) {
+        return std::nullopt;
+    }
+    return ViewKeys{*left.drawn, *right.drawn};
+}
+
+void ViewPainter::paint_smooth(bool right, const DisplayKey &display) {
+    Side &side = sides_[right ? 1 : 0];
+    std::unique_ptr<Uploaded> &smoothed = smoothed_[right ? 1 : 0];
+    const bool fits = smooth_ && side.shown.texture != 0 && side.drawn == smooth_->of[right ? 1 : 0];
+    upload(smoothed, fits ? smooth_->means[right ? 1 : 0] : nullptr, display);
+    if (side.shown.texture != 0) {
+        side.shown.texture = smoothed ? smoothed->display.texture() : side.display->texture();
+    }
 }
 
 void ViewPainter::paint_masks(bool right, bool wanted, const DisplayKey &display) {
@@ -212,9 +229,12 @@ void ViewPainter::paint(const Session &session, Size each) {
     for (const bool right : {false, true}) {
         const bool textbook = !right && document.left_is_textbook();
         const double factor = document.mesh_factors[right ? 1 : 0];
-        const Key key{
+        const ViewKey key{
             with_mesh_factor(seen, factor), session.technique(right), each, textbook, view.wireframe, reloads_};
         changed |= paint_side(sides_[right ? 1 : 0], key, display);
+    }
+    if (samples_shown(session) == 1) {
+        smooth_.reset();
     }
     if (findings_ && !(findings_->of == sides_shown(document))) {
         findings_.reset();
@@ -222,7 +242,9 @@ void ViewPainter::paint(const Session &session, Size each) {
     for (const bool right : {false, true}) {
         const bool in_difference = view.layout == Layout::difference &&
                                    view.difference_of == (right ? DifferenceOf::b_truth : DifferenceOf::a_truth);
-        changed |= paint_truth(right, in_difference || (!right && view.layout == Layout::three_up), display);
+        const bool truth = findings_ && (in_difference || (!right && view.layout == Layout::three_up));
+        changed |= upload(truths_[right ? 1 : 0], truth ? findings_->sides[right ? 1 : 0].truth : nullptr, display);
+        paint_smooth(right, display);
         paint_masks(right, view.masks && view.layout != Layout::difference, display);
     }
     measured_ = measured_ && !changed;

@@ -33,6 +33,24 @@ struct SlowPicture {
     std::vector<Features> programs; ///< those that are missing
 };
 
+/// All that a side's float picture depends on.
+struct ViewKey {
+    Scene scene;
+    Technique technique;
+    Size size;
+    bool textbook = false; ///< on the processor
+    bool wireframe = false;
+    int shaders = 0; ///< counts reloads
+    bool operator==(const ViewKey &) const = default;
+};
+using ViewKeys = std::array<ViewKey, 2>; ///< of A and B
+
+/// Both pictures with samples_at_rest samples a pixel.
+struct SmoothPictures {
+    ViewKeys of;
+    std::array<std::shared_ptr<const Image>, 2> means;
+};
+
 /// Draws the two pictures, each only if something in it has changed.
 class ViewPainter {
   public:
@@ -56,6 +74,11 @@ class ViewPainter {
     /// What has been found out; dropped when something else is shown. Null: nothing yet.
     void show_findings(std::shared_ptr<const Findings> findings) { findings_ = std::move(findings); }
     [[nodiscard]] const Findings *findings() const { return findings_.get(); }
+    /// The pictures that are to be smoothed while nothing moves; none where what is shown is measured by single
+    /// samples, as a difference, a loupe and a textbook's picture are.
+    [[nodiscard]] std::optional<ViewKeys> smooth_wanted(const Session &session) const;
+    /// Stand in for the pictures that they are of. Null: there are none yet.
+    void show_smooth(std::shared_ptr<const SmoothPictures> smooth) { smooth_ = std::move(smooth); }
     /// In place of a side's picture: which pixels errors leave out; 0: not known, or not asked for.
     [[nodiscard]] unsigned mask_texture(bool right) const;
     /// The reference of a side's model; 0: not known, or not asked for.
@@ -82,39 +105,29 @@ class ViewPainter {
     bool reload_changed_shaders();
 
   private:
-    /// All that a side's float picture depends on.
-    struct Key {
-        Scene scene;
-        Technique technique;
-        Size size;
-        bool textbook = false; ///< on the processor
-        bool wireframe = false;
-        int shaders = 0; ///< counts reloads
-        bool operator==(const Key &) const = default;
-    };
     struct DisplayKey {
         Display display = Display::linear;
         double exposure = 1;
         bool operator==(const DisplayKey &) const = default;
     };
     struct Side {
-        std::optional<Key> drawn; ///< also if that failed: it is not retried until something changes
+        std::optional<ViewKey> drawn; ///< also if that failed: it is not retried until something changes
         std::optional<DisplayKey> displayed;
         std::optional<Target> target;
         std::optional<DisplayTexture> display;
         PaintedView shown;
         std::vector<ObjectResources> resources; ///< held, so that the other side's meshes do not evict them
         std::optional<SlowPicture> awaited;
-        std::optional<std::pair<Key, Image>> textbook; ///< the last one made
+        std::optional<std::pair<ViewKey, Image>> textbook; ///< the last one made
     };
 
-    /// A picture made from findings, on the graphics card.
-    struct Truth {
+    /// A picture made aside, on the graphics card.
+    struct Uploaded {
         std::shared_ptr<const Image> image;
         Target target;
         DisplayTexture display;
         std::optional<DisplayKey> displayed;
-        explicit Truth(Size size) : target(size), display(size) {}
+        explicit Uploaded(Size size) : target(size), display(size) {}
     };
     struct Masks {
         std::shared_ptr<const Findings> findings;
@@ -122,10 +135,12 @@ class ViewPainter {
         DisplayTexture texture;
     };
 
-    bool paint_side(Side &side, const Key &wanted, const DisplayKey &display);
-    [[nodiscard]] std::optional<SlowPicture> slow_picture(const Side &side, const Key &key);
-    void draw_side(Side &side, const Key &key);
-    bool paint_truth(bool right, bool wanted, const DisplayKey &display);
+    bool paint_side(Side &side, const ViewKey &wanted, const DisplayKey &display);
+    [[nodiscard]] std::optional<SlowPicture> slow_picture(const Side &side, const ViewKey &key);
+    void draw_side(Side &side, const ViewKey &key);
+    bool upload(std::unique_ptr<Uploaded> &uploaded, const std::shared_ptr<const Image> &image,
+                const DisplayKey &display);
+    void paint_smooth(bool right, const DisplayKey &display);
     void paint_masks(bool right, bool wanted, const DisplayKey &display);
     unsigned display_side(Side &side, const DisplayKey &display);
     void paint_difference(const ViewSettings &view, bool changed);
@@ -135,7 +150,8 @@ class ViewPainter {
     DisplayPass display_pass_;
     std::array<Side, 2> sides_;
     std::shared_ptr<const Findings> findings_;
-    std::array<std::unique_ptr<Truth>, 2> truths_;
+    std::shared_ptr<const SmoothPictures> smooth_;
+    std::array<std::unique_ptr<Uploaded>, 2> truths_, smoothed_;
     std::array<std::unique_ptr<Masks>, 2> masks_;
     std::optional<DisplayTexture> difference_;
     double difference_gain_ = 0;
