@@ -62,10 +62,10 @@ bool Context::software() {
                                [&](const char *known) { return name.find(known) != std::string::npos; });
 }
 
-void begin_window_surface(unsigned framebuffer, Size size) {
+void begin_window_surface(unsigned framebuffer, Size size, const glm::vec3 &background) {
     {
         const PassState pass(framebuffer, size, DepthTest::off);
-        glClearColor(0, 0, 0, 1);
+        glClearColor(background.r, background.g, background.b, 1);
         glClear(GL_COLOR_BUFFER_BIT);
     }
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);

@@ -61,8 +61,9 @@ class Context {
     static void load_functions(void (*(*get_proc_address)(const char *))());
 };
 
-/// Binds the window's framebuffer (0: its own), all of it, and clears it to black: before a frame is drawn into it.
-void begin_window_surface(unsigned framebuffer, Size size);
+/// Binds the window's framebuffer (0: its own), all of it, and clears it to `background` as displayed, [0, 1]: before a
+/// frame is drawn into it.
+void begin_window_surface(unsigned framebuffer, Size size, const glm::vec3 &background);
 /// What has been drawn there, top row first.
 ByteImage read_window_surface(unsigned framebuffer, Size size);
 

@@ -21,19 +21,25 @@ void cover(const VertexArray &empty) {
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
+GlProgram display_program(const ShaderParts &parts, Display display) {
+    TemplateValues values;
+    values.flags["srgb"] = display == Display::srgb;
+    return GlProgram({expand(parts, "display_vertex.glsl", {}), expand(parts, "display_fragment.glsl", values)});
+}
+
 } // namespace
 
 DisplayPass::DisplayPass(const ShaderParts &parts)
-    : display_({expand(parts, "display_vertex.glsl", {}), expand(parts, "display_fragment.glsl", {})}),
+    : display_{display_program(parts, Display::linear), display_program(parts, Display::srgb)},
       difference_({expand(parts, "display_vertex.glsl", {}), expand(parts, "difference_fragment.glsl", {})}),
       empty_(make_vertex_array()), finite_pixels_(make_query()) {}
 
 unsigned DisplayPass::run(const Target &from, DisplayTexture &to, Display display, float exposure) const {
     const PassState pass(to.framebuffer(), to.size(), DepthTest::off);
-    glUseProgram(display_.id());
-    display_.set("linear_picture", 0);
-    display_.set("exposure", exposure);
-    display_.set("srgb", display == Display::srgb ? 1 : 0);
+    const GlProgram &program = display_[static_cast<std::size_t>(display)];
+    glUseProgram(program.id());
+    program.set("linear_picture", 0);
+    program.set("exposure", exposure);
     bind_picture(0, from);
     glClearBufferfv(GL_COLOR, 0, magenta);
     glBeginQuery(GL_SAMPLES_PASSED, finite_pixels_.id());

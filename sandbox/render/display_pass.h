@@ -4,6 +4,8 @@
 #include "render/target.h"
 #include "shading/parts.h"
 
+#include <array>
+
 namespace sandbox {
 
 /// The last pass: exposure, transfer curve, clamp; non-finite pixels magenta. The same curve as to_display().
@@ -17,7 +19,8 @@ class DisplayPass {
     void run_difference(const Target &left, const Target &right, DisplayTexture &to, float gain) const;
 
   private:
-    GlProgram display_, difference_;
+    std::array<GlProgram, 2> display_; ///< by Display
+    GlProgram difference_;
     VertexArray empty_;
     Query finite_pixels_;
 };

@@ -15,8 +15,11 @@ namespace sandbox {
 
 namespace {
 
+/// Without backgrounds: the frame is cleared to their colour already, and to fill them takes longer than all else in
+/// it.
 constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                                          ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
+                                          ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoSavedSettings |
+                                          ImGuiWindowFlags_NoBringToFrontOnFocus;
 constexpr ImGuiWindowFlags still_window =
     fixed_window | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing;
 
@@ -132,7 +135,8 @@ void draw_frame(Session &session, ViewPainter &painter, BottomPanel &bottom_pane
     if (panels) {
         ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
         ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-        if (begin_fixed("status", {origin.x, origin.y + room.y}, {window.WorkSize.x, status}, still_window)) {
+        if (begin_fixed("status", {origin.x, origin.y + room.y}, {window.WorkSize.x, status},
+                        still_window & ~ImGuiWindowFlags_NoBackground)) {
             status_line(session, status);
         }
         ImGui::End();

@@ -33,6 +33,8 @@ void on_drop(GLFWwindow *window, int count, const char **paths) {
 /// What else arrives may change the picture, too.
 template <class... Details> void on_anything(GLFWwindow *window, Details...) { arrivals_of(window); }
 
+template <class... Details> void on_exposure(GLFWwindow *window, Details...) { arrivals_of(window).exposed = true; }
+
 void set_hints() {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
@@ -87,10 +89,10 @@ void GlfwWindow::install_callbacks(GLFWwindow *window) {
     glfwSetCursorEnterCallback(window, on_anything);
     glfwSetMouseButtonCallback(window, on_anything);
     glfwSetScrollCallback(window, on_anything);
-    glfwSetWindowFocusCallback(window, on_anything);
+    glfwSetWindowFocusCallback(window, on_exposure);
     glfwSetWindowCloseCallback(window, on_anything);
-    glfwSetWindowRefreshCallback(window, on_anything);
-    glfwSetFramebufferSizeCallback(window, on_anything);
+    glfwSetWindowRefreshCallback(window, on_exposure);
+    glfwSetFramebufferSizeCallback(window, on_exposure);
 }
 
 bool GlfwWindow::close_asked() const { return glfwWindowShouldClose(window_) == GLFW_TRUE; }

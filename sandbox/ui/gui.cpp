@@ -9,6 +9,14 @@
 
 namespace sandbox {
 
+namespace {
+
+template <typename T> void append_bytes(std::string &bytes, const T *values, int count) {
+    bytes.append(reinterpret_cast<const char *>(values), sizeof(T) * static_cast<std::size_t>(count));
+}
+
+} // namespace
+
 Gui::Gui(Host &host) : host_(host) {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
@@ -33,6 +41,7 @@ void Gui::restyle(bool dark, float scale) {
         if (scale_ != 0) { // the first texture is made by the backend itself
             ImGui_ImplOpenGL3_DestroyFontsTexture();
             ImGui_ImplOpenGL3_CreateFontsTexture();
+            shown_.clear();
         }
     }
     apply_theme(dark, scale);
@@ -52,9 +61,30 @@ void Gui::begin_frame(const Appearance &appearance) {
     ImGui::NewFrame();
 }
 
-void Gui::end_frame() {
+bool Gui::end_frame(unsigned long pictures) {
     ImGui::Render();
-    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    const ImDrawData &data = *ImGui::GetDrawData();
+    pending_.clear();
+    append_bytes(pending_, &pictures, 1);
+    append_bytes(pending_, &data.DisplaySize, 1);
+    append_bytes(pending_, &data.FramebufferScale, 1);
+    for (int i = 0; i < data.CmdListsCount; ++i) {
+        const ImDrawList &list = *data.CmdLists[i];
+        append_bytes(pending_, list.VtxBuffer.Data, list.VtxBuffer.Size);
+        append_bytes(pending_, list.IdxBuffer.Data, list.IdxBuffer.Size);
+        for (const ImDrawCmd &command : list.CmdBuffer) {
+            append_bytes(pending_, &command.ClipRect, 1);
+            append_bytes(pending_, &command.TextureId, 1);
+            append_bytes(pending_, &command.ElemCount, 1);
+        }
+    }
+    if (pending_ == shown_) {
+        return false;
+    }
+    shown_.swap(pending_);
+    return true;
 }
+
+void Gui::draw() { ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData()); }
 
 } // namespace sandbox

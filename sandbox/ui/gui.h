@@ -3,6 +3,8 @@
 #include "ui/host.h"
 #include "ui/session/session.h"
 
+#include <string>
+
 namespace sandbox {
 
 /// Dear ImGui: its context, its OpenGL backend, its fonts and colours.
@@ -16,15 +18,19 @@ class Gui {
 
     /// Begins a frame with this theme and scale; loads new fonts if the scale changed.
     void begin_frame(const Appearance &appearance);
+    /// Lays the frame out. False if it would show what the last one does; `pictures` counts the changes of the
+    /// textures that it shows.
+    bool end_frame(unsigned long pictures);
     /// Draws the frame into the bound framebuffer.
-    void end_frame();
+    static void draw();
 
   private:
     void restyle(bool dark, float scale);
 
     Host &host_;
     bool dark_ = true;
-    float scale_ = 0; ///< of the fonts that are loaded; 0: none yet
+    float scale_ = 0;             ///< of the fonts that are loaded; 0: none yet
+    std::string shown_, pending_; ///< the bytes of the draw lists of the last frame and of this one
 };
 
 } // namespace sandbox

@@ -17,7 +17,8 @@ struct KeyPress {
 
 /// Input since the last take_arrivals().
 struct Arrivals {
-    bool any = false; ///< anything at all that may change the picture
+    bool any = false;     ///< anything at all that may change the picture
+    bool exposed = false; ///< what was shown may be lost
     std::vector<KeyPress> keys;
     bool question_mark = false;
     std::vector<std::string> dropped; ///< paths

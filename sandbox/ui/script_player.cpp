@@ -27,7 +27,7 @@ constexpr ScriptAction rows[] = {
     {"click", "WIDGET [X Y]", "by its name, or X, Y pixels from its upper left corner", 1, 3, &Player::click},
     {"double-click", "WIDGET", "brings a camera back", 1, 1, &Player::double_click},
     {"right-click", "WIDGET", "resets a slider", 1, 1, &Player::right_click},
-    {"drag", "WIDGET VALUE | WIDGET DX DY", "a slider to a value; anything by pixels", 2, 3, &Player::drag},
+    {"drag", "WIDGET VALUE | WIDGET DX DY [STEPS]", "a slider to a value; anything by pixels", 2, 4, &Player::drag},
     {"hover", "WIDGET [X Y]", "moves the mouse there", 1, 3, &Player::hover},
     {"wheel", "WIDGET NOTCHES", "turns the wheel over it", 2, 2, &Player::wheel},
     {"type", "WIDGET TEXT", "into a field or a slider, then Enter", 2, 2, &Player::type},
@@ -184,14 +184,13 @@ void ScriptPlayer::click(Words words) { press_at(place(words), ScriptedHost::But
 void ScriptPlayer::double_click(Words words) { press_at(place(words), ScriptedHost::Button::left, 2); }
 void ScriptPlayer::right_click(Words words) { press_at(place(words), ScriptedHost::Button::right, 1); }
 
-void ScriptPlayer::drag_by(Point from, float x, float y) {
-    constexpr int steps = 8;
+void ScriptPlayer::drag_by(Point from, float x, float y, int steps) {
     host_.move_mouse(from.x, from.y);
     settle();
     host_.press(ScriptedHost::Button::left, true);
     step();
     for (int i = 1; i <= steps; ++i) {
-        const float share = static_cast<float>(i) / steps;
+        const float share = static_cast<float>(i) / static_cast<float>(steps);
         host_.move_mouse(from.x + x * share, from.y + y * share);
         step();
     }
@@ -238,7 +237,11 @@ void ScriptPlayer::drag(Words words) {
     if (words.size() == 2) {
         return drag_to_value(words[0], number(words[1]));
     }
-    drag_by(place(words.first(1)), pixels(words[1]), pixels(words[2]));
+    const double steps = words.size() > 3 ? number(words[3]) : drag_steps;
+    if (!(steps >= 1 && steps <= 10000)) {
+        throw InputError("expected 1 to 10000 steps, got {}", words[3]);
+    }
+    drag_by(place(words.first(1)), pixels(words[1]), pixels(words[2]), static_cast<int>(steps));
 }
 
 void ScriptPlayer::hover(Words words) {

@@ -56,7 +56,8 @@ class ScriptPlayer {
     void settle();
     void finish();
     void press_at(Point at, ScriptedHost::Button button, int times);
-    void drag_by(Point from, float x, float y);
+    static constexpr int drag_steps = 8;
+    void drag_by(Point from, float x, float y, int steps = drag_steps);
     void drag_to_value(const std::string &name, double value);
     void random_action(unsigned dice);
 

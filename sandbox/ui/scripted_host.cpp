@@ -74,6 +74,7 @@ bool ScriptedHost::space_held() const { return held_.contains(GLFW_KEY_SPACE); }
 
 void ScriptedHost::resize(Size size) {
     wake();
+    arrivals_.exposed = true;
     surface_.reset();
     surface_.emplace(size);
 }

@@ -94,6 +94,7 @@ bool Window::busy() const { return capturing_ || bottom_.busy() || finder_.busy(
 void Window::take_input() {
     const Arrivals arrivals = host_.take_arrivals();
     const bool reloaded = polls_shaders_ && painter_.reload_changed_shaders();
+    exposed_ |= arrivals.exposed;
     frames_left_ = arrivals.any || reloaded ? settling_frames : frames_left_;
     const News news = std::max(bottom_.take_news(session_), finder_.take_news());
     const int frames = news == News::none       ? 0
@@ -160,12 +161,17 @@ void Window::draw() {
     draw_frame(session_, painter_, bottom_);
     dialog_.draw(session_, settings_.recent);
     notice_.draw();
-    begin_window_surface(host_.framebuffer(), size);
-    gui_.end_frame();
-    if (std::exchange(session_.requests.capture_window, false)) {
-        capture_window(size); // before the frame is given away
+    const bool read = std::exchange(session_.requests.capture_window, false);
+    if (gui_.end_frame(painter_.changes()) || exposed_ || read) { // else what is shown stays
+        exposed_ = false;
+        const ImVec4 background = ImGui::GetStyleColorVec4(ImGuiCol_WindowBg);
+        begin_window_surface(host_.framebuffer(), size, {background.x, background.y, background.z});
+        Gui::draw();
+        if (read) {
+            capture_window(size); // before the frame is given away
+        }
+        host_.present();
     }
-    host_.present();
 }
 
 void Window::answer_requests() {

@@ -93,6 +93,7 @@ class Window {
     double message_until_ = INFINITY;
     double next_moment_at_ = 0; ///< by the host's clock
     int frames_left_;
+    bool exposed_ = true;                              ///< what was shown may be lost
     std::optional<DrawingJob<std::string>> capturing_; ///< gives the file's path
 };
 

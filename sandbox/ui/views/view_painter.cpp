@@ -66,6 +66,7 @@ void ViewPainter::draw_side(Side &side, const ViewKey &key) {
 /// Returns the number of non-finite pixels.
 unsigned ViewPainter::display_side(Side &side, const DisplayKey &display) {
     side.displayed = display;
+    ++changes_;
     return display_pass_.run(*side.target, *side.display, display.display, static_cast<float>(display.exposure));
 }
 
@@ -131,6 +132,7 @@ bool ViewPainter::upload(std::unique_ptr<Uploaded> &uploaded, const std::shared_
     if (redraw || uploaded->displayed != display) {
         display_pass_.run(uploaded->target, uploaded->display, display.display, static_cast<float>(display.exposure));
         uploaded->displayed = display;
+        ++changes_;
     }
     return redraw;
 }
@@ -165,6 +167,7 @@ void ViewPainter::paint_masks(bool right, bool wanted, const DisplayKey &display
         const ByteImage shown = to_display(side.target->read_color(), display.display, display.exposure);
         masks = std::make_unique<Masks>(
             Masks{findings_, display, DisplayTexture(mask_picture(shown, findings_->sides[right ? 1 : 0].uses))});
+        ++changes_;
     }
 }
 
@@ -210,6 +213,7 @@ void ViewPainter::paint_difference(const ViewSettings &view, bool changed) {
         difference_.emplace(size);
     }
     display_pass_.run_difference(*first, *second, *difference_, static_cast<float>(view.gain));
+    ++changes_;
     difference_gain_ = view.gain;
     difference_of_ = view.difference_of;
 }

@@ -92,6 +92,9 @@ class ViewPainter {
     /// Reads both pictures back if they have changed; slow, so not while something is dragged.
     void measure_difference();
 
+    /// Grows whenever a texture that is shown changes.
+    [[nodiscard]] unsigned long changes() const { return changes_; }
+
     /// Triangles of each object of a side; empty if a mesh cannot be read.
     [[nodiscard]] std::vector<std::size_t> triangles(bool right) const;
     /// Of both sides' scenes. Throws InputError.
@@ -161,6 +164,7 @@ class ViewPainter {
     int reloads_ = 0;
     std::set<Features> built_aside_;
     bool waits_ = true;
+    unsigned long changes_ = 0;
 };
 
 } // namespace sandbox
