@@ -5,8 +5,10 @@
 #include "image/cut_paste.h"
 #include "image/error.h"
 #include "image/picture_size.h"
+#include "scene/scene_setting.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -129,6 +131,63 @@ ByteImage grid_picture(std::span<const std::string> rows, std::span<const std::s
         top += cell.height;
     }
     return picture;
+}
+
+Sweep sweep_of(const Motion &motion, const Scene &scene, int values) {
+    const std::vector<SceneNumber> numbers = numbers_of(scene);
+    const auto number = std::ranges::find(numbers, motion.path, &SceneNumber::path);
+    if (motion.mover != Mover::number || number == numbers.end()) {
+        throw InputError("a sweep is of a number of the scene, got '{}'", motion_words(motion));
+    }
+    Sweep sweep{motion.path, {}};
+    for (int i = 0; i < values; ++i) {
+        const double value = motion.from + (motion.to - motion.from) * i / std::max(values - 1, 1);
+        std::string text = number->whole ? fmt::format("{:.0f}", value) : fmt::format("{:.4g}", value);
+        if (const double read = std::stod(text); nearest_accepted(read, number->range) != read) {
+            text = fmt::format("{}", nearest_accepted(value, number->range)); // rounded out of its range
+        }
+        if (sweep.values.empty() || sweep.values.back() != text) {
+            sweep.values.push_back(text);
+        }
+    }
+    if (sweep.values.size() < 2) {
+        throw InputError("a sweep needs two values that differ, got {} alone", sweep.values.front());
+    }
+    return sweep;
+}
+
+PictureOptions cell_options(PictureOptions options, const Technique &technique) {
+    options.layout = Layout::single;
+    options.flip = FlipSide::none;
+    options.textbook_left = false;
+    options.left = options.right = technique;
+    options.labels = false;
+    return options;
+}
+
+ByteImage draw_grid(const Scene &scene, const Grid &grid, const PictureOptions &options, const Painters &painters,
+                    std::string_view name, const Progress &progress) {
+    std::vector<Scene> scenes;
+    std::vector<std::string> rows, columns;
+    for (const std::string &value : grid.sweep.values) {
+        const std::string setting = grid.sweep.path + "=" + value;
+        scenes.push_back(with_settings(scene, {&setting, 1}, name, std::filesystem::current_path()));
+        columns.push_back(fmt::format("{} = {}", grid.sweep.path.substr(grid.sweep.path.rfind('.') + 1), value));
+    }
+    const auto factor = [&](std::size_t row) { return options.mesh_factors[row > 0 ? 1 : 0]; };
+    for (std::size_t row = 0; row < grid.techniques.size(); ++row) {
+        rows.push_back(title_of(grid.techniques[row]) + mesh_factor_note(factor(row)));
+    }
+    const double cells = static_cast<double>(rows.size() * columns.size());
+    return grid_picture(rows, columns, options.size, [&](std::size_t row, std::size_t column) {
+        PictureOptions cell = cell_options(options, grid.techniques[row]);
+        cell.mesh_factors[0] = factor(row);
+        ByteImage drawn = show_picture(scenes[column], cell, painters);
+        if (progress && !progress(static_cast<double>(row * columns.size() + column + 1) / cells)) {
+            throw Cancelled();
+        }
+        return drawn;
+    });
 }
 
 } // namespace sandbox

@@ -1,6 +1,9 @@
 #pragma once
 
+#include "capture/picture.h"
 #include "image/image.h"
+#include "reference/parallel.h"
+#include "scene/motion.h"
 #include "shading/technique.h"
 
 #include <functional>
@@ -41,5 +44,16 @@ using DrawCell = std::function<ByteImage(std::size_t row, std::size_t column)>;
 /// if there are none or more than most_cells, or if they are too large together.
 ByteImage grid_picture(std::span<const std::string> rows, std::span<const std::string> columns, Size cell,
                        const DrawCell &draw);
+
+/// `values` numbers evenly over those that the motion goes through, of which at least 2 differ; whole ones stay whole.
+/// Throws InputError for a motion that is of no number of the scene.
+Sweep sweep_of(const Motion &motion, const Scene &scene, int values);
+
+/// One technique's cell of a grid: a single view of the options' size.
+PictureOptions cell_options(PictureOptions options, const Technique &technique);
+/// Techniques down, values across, in cells of the options' size; A's mesh factor is the first row's, B's that of the
+/// others. `name` is used in messages. Throws InputError as with_settings() and grid_picture() do, Cancelled.
+ByteImage draw_grid(const Scene &scene, const Grid &grid, const PictureOptions &options, const Painters &painters,
+                    std::string_view name, const Progress &progress);
 
 } // namespace sandbox

@@ -1,5 +1,6 @@
 #include "capture/labels.h"
 
+#include "image/cut_paste.h"
 #include "image/difference.h"
 #include "image/text.h"
 
@@ -21,16 +22,6 @@ constexpr std::size_t most_lines = 3;
 constexpr double scale_width = 52; // in text heights: what stands in a scale, and the gaps
 
 double margin_of(double height) { return height * 0.6; }
-
-void fill(ByteImage &picture, int left, int top, int right, int bottom, Rgb color) {
-    for (int y = std::max(0, top); y < std::min(bottom, picture.size.height); ++y) {
-        for (int x = std::max(0, left); x < std::min(right, picture.size.width); ++x) {
-            const std::size_t at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.size.width) +
-                                        static_cast<std::size_t>(x));
-            std::ranges::copy(color, picture.rgb.begin() + static_cast<std::ptrdiff_t>(at));
-        }
-    }
-}
 
 /// `text` in lines of at most `room` pixels, broken at spaces; a word that is longer has its own line.
 std::vector<std::string> wrapped(const std::string &text, double height, double room) {
@@ -92,9 +83,9 @@ void draw_bar(ByteImage &picture, double text, double left, double top, double w
     for (int x = from; x < to; ++x) {
         const double value = 2 * (x + 0.5 - from) / (to - from) - 1;
         const glm::vec3 color = difference_color(static_cast<float>(value)) * 255.0F;
-        fill(picture, x, static_cast<int>(top + 0.3 * text), x + 1, static_cast<int>(top + line_spacing * text),
-             {static_cast<std::uint8_t>(std::lround(color.r)), static_cast<std::uint8_t>(std::lround(color.g)),
-              static_cast<std::uint8_t>(std::lround(color.b))});
+        fill_part(picture, x, static_cast<int>(top + 0.3 * text), x + 1, static_cast<int>(top + line_spacing * text),
+                  {static_cast<std::uint8_t>(std::lround(color.r)), static_cast<std::uint8_t>(std::lround(color.g)),
+                   static_cast<std::uint8_t>(std::lround(color.b))});
     }
     for (int i = -2; i <= 2; ++i) {
         const std::string number = i == 0 ? "0" : fmt::format("{:+.3g}", i / 2.0 / gain);
@@ -123,7 +114,7 @@ Strips strips_for(int width, const LabelTexts &texts, double most_text) {
 }
 
 void draw_labels(ByteImage &picture, const Strips &strips) {
-    fill(picture, 0, 0, picture.size.width, strips.above, paper);
+    fill_part(picture, 0, 0, picture.size.width, strips.above, paper);
     for (std::size_t i = 0; i < strips.lines.size(); ++i) {
         double top = (line_spacing - 1) / 2 * strips.text;
         for (const std::string &line : strips.lines[i]) {
@@ -136,7 +127,7 @@ void draw_labels(ByteImage &picture, const Strips &strips) {
 void draw_scale(ByteImage &picture, const Strips &strips, const ScaleTexts &texts) {
     const double text = strips.text;
     const double top = picture.size.height - strips.below;
-    fill(picture, 0, static_cast<int>(top), picture.size.width, picture.size.height, paper);
+    fill_part(picture, 0, static_cast<int>(top), picture.size.width, picture.size.height, paper);
     draw_text(picture, margin_of(text), top + 0.4 * text, text, texts.what);
     draw_text(picture, margin_of(text), top + 1.7 * text, text, texts.result);
     const std::string left = texts.second + " brighter", right = texts.first + " brighter";
@@ -155,9 +146,9 @@ void draw_divider(ByteImage &picture, int split, int top, int rows) {
     const int thickness = std::max(1, rows / 360);
     const int from = std::max(0, split - (thickness + 1) / 2);
     if (thickness > 1) { // edges, so that it is seen between white views, too
-        fill(picture, from - 1, top, from + thickness + 1, top + rows, paper);
+        fill_part(picture, from - 1, top, from + thickness + 1, top + rows, paper);
     }
-    fill(picture, from, top, from + thickness, top + rows, {255, 255, 255});
+    fill_part(picture, from, top, from + thickness, top + rows, {255, 255, 255});
 }
 
 } // namespace sandbox

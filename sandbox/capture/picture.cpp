@@ -78,7 +78,7 @@ std::vector<Image> draw_views(const Scene &scene, const PictureOptions &options,
     const Scene left_scene = with_mesh_factor(scene, options.mesh_factors[0]);
     const Scene right_scene = with_mesh_factor(scene, options.mesh_factors[1]);
     const auto sampled = [&](const DrawView &draw, const Scene &of, const Technique &technique, Size size) {
-        return draw_samples(of, size, options.samples,
+        return draw_samples(of, size, options.masks ? 1 : options.samples,
                             [&](const Scene &shifted) { return draw(shifted, technique, size); });
     };
     const auto left = [&](Size size) {
@@ -102,6 +102,56 @@ std::vector<Image> draw_views(const Scene &scene, const PictureOptions &options,
         views.push_back(truth(false, sizes[2]));
     }
     return views;
+}
+
+/// What the views show, with the figures of those that masks are of; the truth has none.
+struct ShownViews {
+    std::vector<ByteImage> pictures;
+    std::vector<Metrics> masked;
+};
+
+ShownViews show_views(const std::vector<Image> &views, const Scene &scene, const PictureOptions &options,
+                      const Painters &painters) {
+    ShownViews shown;
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        const bool right = i == 1 || options.flip == FlipSide::b;
+        shown.pictures.push_back(to_display(views[i], options.display, options.exposure));
+        if (options.masks && i < 2) {
+            const JudgedView judged =
+                painters.judge(with_mesh_factor(scene, options.mesh_factors[right ? 1 : 0]),
+                               right ? options.right : options.left, views[i].size, !right && options.textbook_left);
+            shown.pictures.back() = mask_picture(shown.pictures.back(), judged.uses);
+            shown.masked.push_back(judged.metrics);
+        }
+    }
+    return shown;
+}
+
+/// As compose() does with linear views that are no difference.
+void paste_views(ByteImage &picture, const std::vector<ByteImage> &views, const PictureOptions &options, int top) {
+    int left = 0;
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        if (options.layout == Layout::wipe && i == 1) {
+            const int split = split_column(views[i].size, options.divider);
+            paste(picture, cut(views[i], split, 0, {views[i].size.width - split, views[i].size.height}), split, top);
+        } else {
+            paste(picture, views[i], left, top);
+            left += views[i].size.width;
+        }
+    }
+}
+
+/// One legend a view that has masks; a wipe's stand in its halves.
+void draw_legends(ByteImage &picture, const std::vector<Metrics> &masked, const PictureOptions &options, int bottom,
+                  double text) {
+    const std::vector<Size> views = view_sizes(options.layout, options.size);
+    const bool wipe = options.layout == Layout::wipe;
+    int left = 0;
+    for (std::size_t i = 0; i < masked.size(); ++i) {
+        const int right = wipe && i == 0 ? options.size.width / 2 : wipe ? options.size.width : left + views[i].width;
+        draw_mask_legend(picture, masked[i], left, right, bottom, text, wipe && i == 1);
+        left = right;
+    }
 }
 
 /// Over the views, `rows` high, that begin at row `top`; names in text of `text` pixels.
@@ -198,13 +248,17 @@ ByteImage show_picture(const Scene &scene, const PictureOptions &options, const 
     const int rows = options.size.height - strips.above - strips.below;
     const std::vector<Image> views = draw_views(scene, options, {options.size.width, rows}, painters);
     const bool difference = options.layout == Layout::difference;
+    const double text = strips.text > 0 ? strips.text : std::clamp(rows / 30.0, 8.0, 64.0);
     ByteImage shown = black_picture(options.size);
-    paste(shown,
-          difference ? difference_picture(views[0], views[1], options.gain)
-                     : to_display(compose(options.layout, views, options.divider), options.display, options.exposure),
-          0, strips.above);
-    mark_views(shown, scene, options, painters, strips.above, rows,
-               strips.text > 0 ? strips.text : std::clamp(rows / 30.0, 8.0, 64.0));
+    ShownViews of_views;
+    if (difference) {
+        paste(shown, difference_picture(views[0], views[1], options.gain), 0, strips.above);
+    } else {
+        of_views = show_views(views, scene, options, painters);
+        paste_views(shown, of_views.pictures, options, strips.above);
+    }
+    mark_views(shown, scene, options, painters, strips.above, rows, text);
+    draw_legends(shown, of_views.masked, options, strips.above + rows, text);
     if (!difference && (options.layout == Layout::wipe || options.labels)) {
         for (const int split : splits_of(options)) {
             draw_divider(shown, split, strips.above, rows);

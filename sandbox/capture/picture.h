@@ -2,6 +2,7 @@
 
 #include "capture/layout.h"
 #include "capture/marks.h"
+#include "capture/masks.h"
 #include "scene/mesh_factor.h"
 #include "scene/scene.h"
 #include "shading/technique.h"
@@ -18,12 +19,15 @@ namespace sandbox {
 /// Draws a view: the renderer, or a fake in a test.
 using DrawView = std::function<Image(const Scene &, const Technique &, Size)>;
 using ProbeView = std::function<std::optional<PixelProbe>(const Scene &, const Technique &, Size, int x, int y)>;
+/// `textbook`: the view is textbook_picture().
+using JudgeView = std::function<JudgedView(const Scene &, const Technique &, Size, bool textbook)>;
 /// Who draws what. `draw` and `textbook` draw the wireframe, too, where the picture has one.
 struct Painters {
     DrawView draw;
     DrawView textbook; ///< textbook_picture()
     DrawView truth;    ///< the reference
     ProbeView probe{}; ///< probe_pixel(); for marks alone
+    JudgeView judge{}; ///< judge_view(); for masks alone
 };
 /// The two pictures of a difference, as its scale names them: "A" and "truth".
 std::pair<const char *, const char *> names_of(DifferenceOf of);
@@ -60,6 +64,7 @@ struct PictureOptions {
     double divider = 0.5; ///< the left view's share of a wipe's width
     int samples = 1;      ///< a pixel of the views, for a PNG that is no difference
     bool wireframe = false;
+    bool masks = false; ///< in a PNG of views, not of a difference; samples are 1 then
     bool labels = false;
     Marks marks;      ///< in a PNG
     std::string view; ///< the named view that the camera came from, for the record

@@ -94,6 +94,9 @@ std::string sidecar_text(const Scene &scene, const PictureOptions &options, cons
     if (options.wireframe) {
         out["wireframe"] = true;
     }
+    if (options.masks) {
+        out["masks"] = true;
+    }
     if (options.flip != FlipSide::none) {
         out["flip"] = options.flip == FlipSide::a ? "A" : "B";
     }
@@ -149,6 +152,7 @@ std::optional<PictureOptions> sidecar_options(std::string_view text, std::string
     read_value("vectors", options.marks.vectors);
     read_value("loupe", options.marks.loupe);
     read_value("wireframe", options.wireframe);
+    read_value("masks", options.masks);
     read_value("textbook_left", options.textbook_left);
     read_value("exposure", options.exposure);
     read_value("gain", options.gain);

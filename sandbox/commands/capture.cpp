@@ -41,6 +41,7 @@ struct CaptureFlags {
     bool vectors = false;
     bool loupe = false;
     bool wireframe = false;
+    bool masks = false;
     bool labels = false;
     bool no_labels = false;
     bool no_sidecar = false;
@@ -127,10 +128,16 @@ PictureOptions picture_options(const CaptureFlags &flags) {
     options.samples =
         flags.samples ? with_flag("--samples", [&] { return checked_samples(*flags.samples); }) : options.samples;
     options.wireframe = options.wireframe || flags.wireframe;
+    options.masks = options.masks || flags.masks;
     take_marks(options.marks, flags);
-    const bool one_sample = options.layout == Layout::difference || options.marks.loupe;
+    const bool difference = options.layout == Layout::difference;
+    if (flags.masks && difference) {
+        throw InputError("--masks: a difference shows no masks");
+    }
+    options.masks = options.masks && !difference;
+    const bool one_sample = difference || options.marks.loupe || options.masks;
     if (flags.samples && one_sample) {
-        throw InputError("--samples: a difference and a loupe show what is measured, one sample a pixel");
+        throw InputError("--samples: a difference, masks and a loupe show what is measured, one sample a pixel");
     }
     options.samples = one_sample ? 1 : options.samples;
     options.labels = (options.labels || flags.labels) && !flags.no_labels;
@@ -150,6 +157,7 @@ void refuse_display_flags(const CaptureFlags &flags) {
                                                            {flags.vectors, "--vectors"},
                                                            {flags.loupe, "--loupe"},
                                                            {flags.profile.has_value(), "--profile"},
+                                                           {flags.masks, "--masks"},
                                                            {flags.wireframe, "--wireframe"}};
     for (const auto &[given, flag] : display_flags) {
         if (given) {
@@ -219,40 +227,6 @@ std::optional<Grid> asked_grid(const CaptureFlags &flags, const PictureOptions &
     return !other && sidecar_of(flags.scene) ? grid_of(read_file(flags.scene), flags.scene) : std::nullopt;
 }
 
-/// One technique's cell of a grid.
-PictureOptions cell_options(PictureOptions options, const Technique &technique) {
-    options.layout = Layout::single;
-    options.flip = FlipSide::none;
-    options.textbook_left = false;
-    options.left = options.right = technique;
-    options.labels = false;
-    return options;
-}
-
-/// Techniques down, values across; each cell has the options' size.
-ByteImage draw_grid(const Scene &scene, const Grid &grid, const PictureOptions &options, const Painters &painters,
-                    ProgressBar &bar) {
-    std::vector<Scene> scenes;
-    std::vector<std::string> rows, columns;
-    for (const std::string &value : grid.sweep.values) {
-        const std::string setting = grid.sweep.path + "=" + value;
-        scenes.push_back(with_settings(scene, {&setting, 1}, "--sweep", std::filesystem::current_path()));
-        columns.push_back(fmt::format("{} = {}", grid.sweep.path.substr(grid.sweep.path.rfind('.') + 1), value));
-    }
-    for (const Technique &technique : grid.techniques) {
-        rows.push_back(title_of(technique));
-    }
-    const double cells = static_cast<double>(rows.size() * columns.size());
-    return with_flag("--sweep", [&] {
-        return grid_picture(rows, columns, options.size, [&](std::size_t row, std::size_t column) {
-            const PictureOptions cell = cell_options(options, grid.techniques[row]);
-            ByteImage drawn = show_picture(scenes[column], cell, painters);
-            bar.report(static_cast<double>(row * columns.size() + column + 1) / cells);
-            return drawn;
-        });
-    });
-}
-
 int run_capture(const CaptureFlags &flags, const CommonOptions &common) {
     const bool pfm = check_output(flags.out, {".png", ".pfm"}) == ".pfm";
     if (pfm) {
@@ -265,6 +239,7 @@ int run_capture(const CaptureFlags &flags, const CommonOptions &common) {
     options = grid ? cell_options(options, grid->techniques.front()) : options;
     options.labels = options.labels && !pfm;
     options.wireframe = options.wireframe && !pfm;
+    options.masks = options.masks && !pfm;
     options.samples = pfm ? 1 : options.samples;
     const Scene scene = open_scene(common, flags.scene, flags.view);
 
@@ -288,7 +263,13 @@ int run_capture(const CaptureFlags &flags, const CommonOptions &common) {
         Scene now = motion ? moved(scene, *motion, i) : scene;
         now.camera = turn ? orbit_camera(now.camera, orbit_degrees(turn->degrees, i, frames)) : now.camera;
         const std::filesystem::path path(turn || motion ? frame_name(flags.out.string(), i) : flags.out.string());
-        write_output(path, grid  ? encode_png(draw_grid(now, *grid, options, painters, bar))
+        const auto draw_cells = [&] {
+            return draw_grid(now, *grid, options, painters, "--sweep", [&](double share) {
+                bar.report(share);
+                return true;
+            });
+        };
+        write_output(path, grid  ? encode_png(with_flag("--sweep", draw_cells))
                            : pfm ? encode_pfm(draw_picture(now, options, painters))
                                  : encode_png(show_picture(now, options, painters)));
         if (i == 0 && !flags.no_sidecar) {
@@ -333,6 +314,8 @@ void add_capture(CLI::App &app, CommonOptions &common, Run &run) {
     add_value(command, "--samples", "N", flags->samples,
               "Sub-pixel samples of a PNG, for pictures to show: measured is 1 [1]");
     command.add_flag("--wireframe", flags->wireframe, "Draw the triangles' edges over a PNG");
+    command.add_flag("--masks", flags->masks,
+                     "In a PNG of views: which pixels error figures leave out, in colours with a legend");
     command.add_flag("--labels", flags->labels, "Write the techniques in a strip above the views");
     command.add_flag("--no-labels", flags->no_labels, "No labels, even if the sidecar asks for them");
     command.add_flag("--no-sidecar", flags->no_sidecar,

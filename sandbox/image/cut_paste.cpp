@@ -31,4 +31,12 @@ void paste(ByteImage &onto, const ByteImage &part, int left, int top) {
     }
 }
 
+void fill_part(ByteImage &picture, int left, int top, int right, int bottom, std::array<std::uint8_t, 3> color) {
+    for (int y = std::max(0, top); y < std::min(bottom, picture.size.height); ++y) {
+        for (int x = std::max(0, left); x < std::min(right, picture.size.width); ++x) {
+            std::ranges::copy(color, picture.rgb.begin() + place(picture.size, x, y));
+        }
+    }
+}
+
 } // namespace sandbox

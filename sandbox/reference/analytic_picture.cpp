@@ -178,6 +178,17 @@ class AnalyticPicture : public Picture {
                           .doubt = masks.doubt};
     }
 
+    [[nodiscard]] std::vector<std::optional<glm::dvec3>> row(int y) const override {
+        std::vector<std::optional<glm::dvec3>> colors;
+        for (int x = 0; x < size_.width; ++x) {
+            const Seen seen = see(x + 0.5, y + 0.5);
+            colors.push_back(seen.object == 0
+                                 ? std::optional<glm::dvec3>()
+                                 : ShapeSampler(objects_[seen.object - 1], eye_, seen.hit, x + 0.5, y + 0.5).color());
+        }
+        return colors;
+    }
+
   private:
     [[nodiscard]] Seen see(double x, double y) const {
         const Ray ray = eye_.ray(x, y);

@@ -57,6 +57,20 @@ class MeshPicture : public Picture {
                           .window_rounding = window_rounding(hit, x, y, fragment.color())};
     }
 
+    [[nodiscard]] std::vector<std::optional<glm::dvec3>> row(int y) const override {
+        const std::size_t band = rasteriser_.band_of(y);
+        const std::vector<Hit> hits = rasteriser_.draw(band);
+        const auto width = static_cast<std::size_t>(size_.width);
+        const std::size_t first = static_cast<std::size_t>(y - rasteriser_.first_row(band)) * width;
+        std::vector<std::optional<glm::dvec3>> colors(width);
+        for (std::size_t x = 0; x < width; ++x) {
+            if (const Hit &hit = hits[first + x]; hit.object != 0) {
+                colors[x] = Fragment(meshes_, hit, static_cast<double>(x) + 0.5, y + 0.5).color();
+            }
+        }
+        return colors;
+    }
+
   private:
     /// A neighbour that just misses the centre counts if it would be seen there, within the depth buffer's resolution.
     [[nodiscard]] bool on_edge(const Hit &hit, const Fragment &fragment) const {

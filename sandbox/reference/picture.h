@@ -12,6 +12,8 @@ class Picture {
     /// Draws one band of rows into `frame`, which holds the background.
     virtual void draw(std::size_t band, ReferenceFrame &frame) const = 0;
     [[nodiscard]] virtual std::optional<PixelProbe> probe(int x, int y) const = 0;
+    /// The colours of a row; nothing for the background.
+    [[nodiscard]] virtual std::vector<std::optional<glm::dvec3>> row(int y) const = 0;
 };
 
 } // namespace sandbox::reference

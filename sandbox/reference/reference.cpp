@@ -60,4 +60,9 @@ std::optional<PixelProbe> probe_pixel(const Scene &scene, const std::vector<Obje
     return picture->probe(x, y);
 }
 
+std::vector<std::optional<glm::dvec3>> reference_row(const Scene &scene, const std::vector<ObjectResources> &resources,
+                                                     const Technique &technique, Size size, int y, Surface surface) {
+    return picture_of(scene, resources, technique, size, surface)->row(y);
+}
+
 } // namespace sandbox

@@ -77,4 +77,10 @@ std::optional<PixelProbe> probe_pixel(const Scene &scene, const std::vector<Obje
                                       const Technique &technique, Size size, int x, int y,
                                       Surface surface = Surface::mesh);
 
+/// The colours of row y, 0 at the top, as render_reference gives them; nothing for the background. Some milliseconds:
+/// the row alone is shaded. Throws as render_reference does.
+std::vector<std::optional<glm::dvec3>> reference_row(const Scene &scene, const std::vector<ObjectResources> &resources,
+                                                     const Technique &technique, Size size, int y,
+                                                     Surface surface = Surface::mesh);
+
 } // namespace sandbox

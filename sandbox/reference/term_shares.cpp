@@ -7,7 +7,7 @@ namespace sandbox {
 namespace {
 
 constexpr std::pair<std::string_view, double Light::*> terms_of_a_light[]{
-    {"ambient", &Light::ambient}, {"diffuse", &Light::diffuse}, {"specular", &Light::specular}};
+    {term_names[0], &Light::ambient}, {term_names[1], &Light::diffuse}, {term_names[2], &Light::specular}};
 
 /// Every light off; with `own`, the scene keeps what shines without them.
 Scene in_the_dark(Scene scene, bool own) {
@@ -21,6 +21,13 @@ Scene in_the_dark(Scene scene, bool own) {
         }
     }
     return scene;
+}
+
+/// The light shines by one of its terms alone.
+void keep_term(Light &light, double Light::*intensity) {
+    const double kept = light.*intensity;
+    light.ambient = light.diffuse = light.specular = 0;
+    light.*intensity = kept;
 }
 
 } // namespace
@@ -42,12 +49,27 @@ std::vector<TermShare> term_shares(const Scene &scene, const std::vector<ObjectR
             Scene lit = dark;
             Light &light = lit.lights[i];
             light = scene.lights[i];
-            light.ambient = light.diffuse = light.specular = 0;
-            light.*intensity = scene.lights[i].*intensity;
+            keep_term(light, intensity);
             shares.push_back({i, name, color(lit)->color});
         }
     }
     return shares;
+}
+
+std::vector<glm::dvec3> term_row(const Scene &scene, const std::vector<ObjectResources> &resources,
+                                 const Technique &technique, Size size, int y, std::string_view term) {
+    Scene lit = in_the_dark(scene, term == term_names[0]);
+    for (const auto &[name, intensity] : terms_of_a_light) {
+        for (std::size_t i = 0; i < scene.lights.size() && name == term; ++i) {
+            lit.lights[i].enabled = scene.lights[i].enabled && scene.lights[i].*intensity != 0;
+            keep_term(lit.lights[i], intensity);
+        }
+    }
+    std::vector<glm::dvec3> colors;
+    for (const auto &color : reference_row(lit, resources, technique, size, y)) {
+        colors.push_back(color.value_or(glm::dvec3(0)));
+    }
+    return colors;
 }
 
 } // namespace sandbox

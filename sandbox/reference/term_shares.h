@@ -22,4 +22,10 @@ struct TermShare {
 std::vector<TermShare> term_shares(const Scene &scene, const std::vector<ObjectResources> &resources,
                                    const Technique &technique, Size size, int x, int y);
 
+inline constexpr std::array<std::string_view, 3> term_names{"ambient", "diffuse", "specular"};
+/// What one of term_names adds along row y, 0 at the top, summed over the lights; "ambient" holds the scene's ambient
+/// light and emission, too. A row's three terms add up to its colours; 0 for the background.
+std::vector<glm::dvec3> term_row(const Scene &scene, const std::vector<ObjectResources> &resources,
+                                 const Technique &technique, Size size, int y, std::string_view term);
+
 } // namespace sandbox

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <imgui.h>
+#include <optional>
 
 namespace sandbox {
 
@@ -36,19 +37,18 @@ float side_width(const Session &session, const ImGuiViewport &window) {
     return std::floor(std::min(ImGui::GetFontSize() * (ems > 0 ? ems : 22), most));
 }
 
-/// Between the side panel and the pictures.
-void draw_side_edge(Session &session, ImVec2 position, float height) {
+/// An edge in a window of its own, which Ctrl+Tab reaches: where it is moved to.
+std::optional<float> draw_edge(Session &session, const char *name, ImVec2 position, ImVec2 size, float &chosen,
+                               const char *hint) {
+    constexpr ImGuiWindowFlags flags =
+        fixed_window | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoFocusOnAppearing;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-    if (begin_fixed("side edge", position, {edge_thickness(), height}, still_window)) {
-        float &ems = session.appearance.sizes.side_ems;
-        if (panel_edge(session, "side edge", {edge_thickness(), height}, ems,
-                       "Drag to make the panel wider or narrower.")) {
-            ems = std::clamp(ImGui::GetMousePos().x / ImGui::GetFontSize(), least_side_ems, most_side_ems);
-        }
-    }
+    const std::optional<float> moved =
+        begin_fixed(name, position, size, flags) ? panel_edge(session, name, size, chosen, hint) : std::nullopt;
     ImGui::End();
     ImGui::PopStyleVar(2);
+    return moved;
 }
 
 /// The only part that scrolls.
@@ -64,6 +64,23 @@ void draw_side(Session &session, ImVec2 position, ImVec2 size) {
     ImGui::End();
 }
 
+/// Between the pictures and the panels.
+void draw_edges(Session &session, ImVec2 origin, float side, ImVec2 room, float bottom) {
+    PanelSizes &sizes = session.appearance.sizes;
+    const float thickness = edge_thickness(), end = origin.y + room.y;
+    if (const auto x = draw_edge(session, "side edge", {origin.x + side - thickness, origin.y}, {thickness, room.y},
+                                 sizes.side_ems, "Drag to make the panel wider or narrower.")) {
+        sizes.side_ems = std::clamp(*x / ImGui::GetFontSize(), least_side_ems, most_side_ems);
+    }
+    if (!session.appearance.tab) {
+        return;
+    }
+    if (const auto y = draw_edge(session, "bottom edge", {origin.x + side, end - bottom}, {room.x, thickness},
+                                 sizes.bottom_share, "Drag to give the pictures more or less room.")) {
+        sizes.bottom_share = std::clamp((end - *y) / room.y, least_bottom_share, most_bottom_share);
+    }
+}
+
 /// Along the bottom of the area `room` at `corner`, `height` high.
 void draw_bottom(Session &session, ViewPainter &painter, BottomPanel &panel, ImVec2 corner, ImVec2 room, float height) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
@@ -71,7 +88,7 @@ void draw_bottom(Session &session, ViewPainter &painter, BottomPanel &panel, ImV
     const bool open = begin_fixed("Tabs", {corner.x, corner.y + room.y - height}, {room.x, height});
     ImGui::PopStyleVar(2);
     if (open) {
-        panel.draw(session, painter, room.y);
+        panel.draw(session, painter);
     }
     ImGui::End();
 }
@@ -105,9 +122,6 @@ void status_line(Session &session, float height) {
 void draw_frame(Session &session, ViewPainter &painter, BottomPanel &bottom_panel) {
     session.hint.clear();
     const bool panels = session.appearance.panels;
-    if (panels) {
-        menu_bar(session);
-    }
     const ImGuiViewport &window = *ImGui::GetMainViewport(); // less the menu bar
     const float status = panels ? std::ceil(ImGui::GetFrameHeight()) : 0;
     const float side = panels ? side_width(session, window) : 0;
@@ -116,8 +130,9 @@ void draw_frame(Session &session, ViewPainter &painter, BottomPanel &bottom_pane
                       std::max(std::round(window.WorkPos.y + window.WorkSize.y) - origin.y - status, 32.0F)};
     const float bottom = panels ? BottomPanel::height(session, room.y) : 0;
     if (panels) {
+        draw_edges(session, origin, side, room, bottom); // first of all: Ctrl+Tab comes to them last
+        menu_bar(session);
         draw_side(session, origin, {side - edge_thickness(), room.y});
-        draw_side_edge(session, {origin.x + side - edge_thickness(), origin.y}, room.y);
     }
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     if (begin_fixed("views", {origin.x + side, origin.y}, {room.x, std::max(room.y - bottom, 32.0F)}, still_window)) {
@@ -130,9 +145,8 @@ void draw_frame(Session &session, ViewPainter &painter, BottomPanel &bottom_pane
     ImGui::PopStyleVar();
     bottom_panel.follow(session, painter);
     if (panels) {
-        draw_bottom(session, painter, bottom_panel, {origin.x + side, origin.y}, room, bottom);
-    }
-    if (panels) {
+        const float edge = session.appearance.tab ? edge_thickness() : 0;
+        draw_bottom(session, painter, bottom_panel, {origin.x + side, origin.y}, room, bottom - edge);
         ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
         ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
         if (begin_fixed("status", {origin.x, origin.y + room.y}, {window.WorkSize.x, status},

@@ -26,6 +26,7 @@ const HelpLine keyboard_help[] = {
     {"arrows", "to another control; Home, End, Page up and down"},
     {"Space", "press; into a list"},
     {"Enter", "type a number; Escape: leave"},
+    {"arrows", "on a panel's edge: move it; Enter: back"},
 };
 const HelpLine mouse_help[] = {
     {"", "Mouse"},
@@ -35,7 +36,7 @@ const HelpLine mouse_help[] = {
     {"double click", "camera as opened"},
     {"Ctrl+click", "type a slider's number"},
     {"right click", "back to the scene's value"},
-    {"drop a file", "open a scene, a model or a capture's .json"},
+    {"drop a file", "open a scene, a model or a capture's .json; a .png or .jpg: the texture of the object shown"},
 };
 
 std::vector<HelpLine> help_lines() {

@@ -41,7 +41,7 @@ void scene_menu(Session &session) {
         *asked = ImGui::MenuItem(name, key) || *asked;
         describe_item(session, name, "");
     }
-    ImGui::TextColored(quiet_text(), "or drop a .json or .obj file on the window");
+    ImGui::TextColored(quiet_text(), "or drop a .json, .obj or image file on the window");
     ImGui::EndMenu();
 }
 
@@ -64,12 +64,23 @@ void action_menu(Session &session, const char *title, Action::Group group) {
     ImGui::EndMenu();
 }
 
+/// Of the buttons on the right.
+float right_width() { return button_width("Capture") + button_width("?") + ImGui::GetStyle().ItemSpacing.x * 2; }
+
+/// Their last words alone where there is little room: "truth" of "with the truth".
 void layout_buttons(Session &session) {
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {2, 0});
+    constexpr float gap = 2; // pixels
+    float width = right_width();
     for (const Action &action : actions()) {
+        width += action.group == Action::Group::layout ? button_width(action.name) + gap : 0;
+    }
+    const bool brief = ImGui::GetCursorPosX() + width > ImGui::GetWindowWidth();
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, 0});
+    for (const Action &action : actions()) {
+        const std::size_t word = brief ? action.name.rfind(' ') + 1 : 0; // 0 without a space
         if (action.group == Action::Group::layout &&
             toggle_button(session, action.name, action.is_on(session),
-                          fmt::format("{} ({}).", action.help, action.shown))) {
+                          fmt::format("{} ({}).", action.help, action.shown), action.name.c_str() + word)) {
             action.run(session);
         }
     }
@@ -77,8 +88,7 @@ void layout_buttons(Session &session) {
 }
 
 void right_buttons(Session &session) {
-    const float width = button_width("Capture") + button_width("?") + ImGui::GetStyle().ItemSpacing.x * 2;
-    ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowWidth() - width));
+    ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowWidth() - right_width()));
     if (button(session, "Capture",
                "Writes the views, without the panels, as a PNG, and beside it a file that reproduces them (F12).")) {
         session.requests.capture = true;

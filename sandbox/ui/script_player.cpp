@@ -36,6 +36,7 @@ constexpr ScriptAction rows[] = {
     {"release", "KEY", "", 1, 1, &Player::release},
     {"drop", "FILE", "drops a file on the window", 1, 1, &Player::drop},
     {"size", "WxH", "resizes the window", 1, 1, &Player::size},
+    {"scale", "FACTOR", "the screen's own magnification: 2 on a dense one", 1, 1, &Player::scale},
     {"wait", "[SECONDS]", "until nothing is pending; at most so long", 0, 1, &Player::wait},
     {"play", "MOMENTS", "a motion that plays goes on by so many moments, and by none without this", 1, 1,
      &Player::play_moments},
@@ -290,6 +291,15 @@ void ScriptPlayer::drop(Words words) {
 
 void ScriptPlayer::size(Words words) {
     host_.resize(parse_size(words[0]));
+    settle();
+}
+
+void ScriptPlayer::scale(Words words) {
+    const double factor = number(words[0]);
+    if (!(factor >= 0.5 && factor <= 4)) {
+        throw InputError("expected a scale from 0.5 to 4, got {}", words[0]);
+    }
+    host_.set_content_scale(static_cast<float>(factor));
     settle();
 }
 

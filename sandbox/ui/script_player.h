@@ -37,6 +37,7 @@ class ScriptPlayer {
     void release(Words words);
     void drop(Words words);
     void size(Words words);
+    void scale(Words words);
     void wait(Words words);
     void play_moments(Words words);
     void expect(Words words);

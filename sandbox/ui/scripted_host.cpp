@@ -79,6 +79,11 @@ void ScriptedHost::resize(Size size) {
     surface_.emplace(size);
 }
 
+void ScriptedHost::set_content_scale(float scale) {
+    wake();
+    content_scale_ = scale;
+}
+
 ByteImage ScriptedHost::picture() const { return read_window_surface(framebuffer(), framebuffer_size()); }
 
 void ScriptedHost::move_mouse(float x, float y) {

@@ -23,10 +23,13 @@ class ScriptedHost final : public Host {
     [[nodiscard]] bool space_held() const override;
     [[nodiscard]] Size framebuffer_size() const override { return surface_->size(); }
     [[nodiscard]] unsigned framebuffer() const override { return surface_->framebuffer(); }
+    [[nodiscard]] float content_scale() const override { return content_scale_; }
     [[nodiscard]] double seconds() const override { return seconds_; }
     void present() override {}
 
     void resize(Size size);
+    /// As on a denser screen.
+    void set_content_scale(float scale);
     /// The last frame.
     [[nodiscard]] ByteImage picture() const;
 
@@ -55,6 +58,7 @@ class ScriptedHost final : public Host {
     std::set<int> held_, pressed_; ///< GLFW's keys: until released; for one frame
     int mods_ = 0;                 ///< of the key that is pressed
     std::string typed_;
+    float content_scale_ = 1;
     float frame_seconds_ = 0.1F;
     double seconds_ = 0; ///< of all frames
 };

@@ -30,21 +30,6 @@ Document first_document(const WindowOptions &options) {
     return document_from(options.file, Session(plain));
 }
 
-/// A picture that the views show.
-struct Shown {
-    std::filesystem::path path;
-    Scene scene; ///< as seen, so that the sidecar alone gives the same picture
-    PictureOptions options;
-};
-
-/// Writes it, and its sidecar beside it; returns its path. Throws InputError.
-std::string write_shown(const Shown &shown, Renderer &renderer, const DrawnBy &by) {
-    const Painters painters = painters_of(renderer, shown.options.wireframe);
-    write_file(shown.path, encode_png(show_picture(shown.scene, shown.options, painters)));
-    write_file(sidecar_path(shown.path), sidecar_text(shown.scene, shown.options, by));
-    return shown.path.string();
-}
-
 } // namespace
 
 Window::Window(const WindowOptions &options, Host &host)
@@ -53,7 +38,7 @@ Window::Window(const WindowOptions &options, Host &host)
       painter_(options.assets, options.shaders),
       session_(first_document(options)), supplies_{options.assets, options.shaders, drawn_by_, &host.context()},
       bottom_(supplies_), finder_(supplies_), settings_(options.settings), settings_file_(options.settings_file),
-      frames_left_(settling_frames) {
+      frames_left_(settling_frames), captures_(supplies_, painter_.renderer()) {
     show_view(options.file);
     session_.appearance.run_times = options.run_times;
     session_.appearance.dark = settings_.dark;
@@ -89,7 +74,9 @@ void Window::step() {
     }
 }
 
-bool Window::busy() const { return capturing_ || bottom_.busy() || finder_.busy() || painter_.awaited() != nullptr; }
+bool Window::busy() const {
+    return captures_.busy() || bottom_.busy() || finder_.busy() || painter_.awaited() != nullptr;
+}
 
 void Window::take_input() {
     const Arrivals arrivals = host_.take_arrivals();
@@ -101,8 +88,8 @@ void Window::take_input() {
                        : news == News::progress ? 1
                                                 : settling_frames; // few beside a measurement
     frames_left_ = std::max(frames_left_, frames);
-    if (capturing_ && capturing_->job().state() != JobState::running) {
-        end_capture();
+    if (const auto outcome = captures_.take_outcome()) {
+        end_capture(*outcome);
     }
     const bool typing = ImGui::GetIO().WantTextInput;
     if (!ImGui::IsAnyItemActive() || typing) {
@@ -114,7 +101,7 @@ void Window::take_input() {
         session_.appearance.key_list = !session_.appearance.key_list;
     }
     if (!arrivals.dropped.empty()) {
-        session_.requests.open = arrivals.dropped.front();
+        take_dropped(arrivals.dropped.front());
     }
     const bool answered = !arrivals.keys.empty() || !arrivals.dropped.empty() || ImGui::IsAnyMouseDown();
     expire_messages(answered);
@@ -208,6 +195,30 @@ void Window::answer_requests() {
     }
 }
 
+void Window::take_dropped(const std::string &path) {
+    if (is_image_name(path)) {
+        put_texture(path);
+    } else {
+        session_.requests.open = path;
+    }
+}
+
+/// On the object that the Material panel shows, as one step that can be undone.
+void Window::put_texture(const std::filesystem::path &image) {
+    attempt(session_, "No texture: ", [&] {
+        Document document = session_.document;
+        if (session_.object >= document.scene.objects.size()) {
+            throw InputError("the scene has no object to put {} on", image.filename().string());
+        }
+        Object &object = document.scene.objects[session_.object];
+        object.material.texture = std::filesystem::absolute(image).lexically_normal().string();
+        object.material.checker.reset();
+        painter_.renderer().resources().load(document.scene); // throws for what cannot be read
+        show_document(session_, document);
+        session_.message = {fmt::format("{} is the texture of {}.", image.filename().string(), object.name), false};
+    });
+}
+
 void Window::open(const std::string &name_or_path) {
     attempt(session_, "", [&] {
         const OpenedFile file = open_file(name_or_path, assets_);
@@ -286,33 +297,23 @@ void Window::load(const Scene &scene, const std::string &message) {
     session_.message = {note.empty() ? message : note, false};
 }
 
-/// Aside, for a truth in it takes a while.
 void Window::capture() {
-    if (capturing_) {
-        session_.message = {"The last capture is still being written.", true};
-        return;
-    }
     attempt(session_, "Not captured: ", [&] {
         const Size each = painter_.view(false).size;
-        const Shown shown{std::filesystem::absolute(free_name(capture_folder(), session_.document.opened->name)),
-                          scene_in_view(shown_document(session_), each), picture_options(session_, each)};
-        try {
-            capturing_.emplace(supplies_, [shown, by = drawn_by_](Renderer &renderer, JobReporter & /*reporter*/) {
-                return write_shown(shown, renderer, by);
-            });
-        } catch (const MachineError &) { // there can be no second context
-            say_captured(write_shown(shown, painter_.renderer(), drawn_by_));
+        captures_.add({session_.document.opened->name, scene_in_view(shown_document(session_), each),
+                       picture_options(session_, each)});
+        if (captures_.waiting() > 0) {
+            session_.message = {fmt::format("Captures that wait to be written: {}.", captures_.waiting()), false};
         }
     });
 }
 
-void Window::end_capture() {
-    if (capturing_->job().state() == JobState::done) {
-        say_captured(capturing_->take_result());
+void Window::end_capture(const CaptureQueue::Outcome &outcome) {
+    if (outcome.failure.empty()) {
+        say_captured(outcome.path);
     } else {
-        session_.message = {"Not captured: " + capturing_->job().error(), true};
+        session_.message = {"Not captured: " + outcome.failure, true};
     }
-    capturing_.reset();
     frames_left_ = settling_frames;
 }
 

@@ -2,6 +2,7 @@
 
 #include "scene/assets.h"
 #include "shading/technique.h"
+#include "ui/capture_queue.h"
 #include "ui/file_dialog.h"
 #include "ui/gui.h"
 #include "ui/host.h"
@@ -62,10 +63,12 @@ class Window {
     void expire_messages(bool answered);
     void draw();
     void answer_requests();
+    void take_dropped(const std::string &path);
+    void put_texture(const std::filesystem::path &image);
     void open(const std::string &name_or_path);
     void load(const Scene &scene, const std::string &message);
     void capture();
-    void end_capture();
+    void end_capture(const CaptureQueue::Outcome &outcome);
     void save(const std::string &path);
     void take_opened(const OpenedFile &file);
     void show_view(const OpenedFile &file);
@@ -93,8 +96,8 @@ class Window {
     double message_until_ = INFINITY;
     double next_moment_at_ = 0; ///< by the host's clock
     int frames_left_;
-    bool exposed_ = true;                              ///< what was shown may be lost
-    std::optional<DrawingJob<std::string>> capturing_; ///< gives the file's path
+    bool exposed_ = true; ///< what was shown may be lost
+    CaptureQueue captures_;
 };
 
 } // namespace sandbox

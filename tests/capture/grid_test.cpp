@@ -2,7 +2,10 @@
 
 #include "image/error.h"
 
+#include <glm/vec4.hpp>
 #include <gtest/gtest.h>
+#include <variant>
+#include <vector>
 
 namespace sandbox {
 namespace {
@@ -57,6 +60,75 @@ TEST(Grid, HasAtMost64Cells) {
     EXPECT_THROW(grid_picture(rows, more, {2, 2}, draw), InputError);
     EXPECT_THROW(grid_picture({}, columns, {2, 2}, draw), InputError);
     EXPECT_THROW(grid_picture(rows, columns, {4000, 2}, draw), InputError) << "32000 pixels wide";
+}
+
+Scene ball() {
+    Scene scene;
+    scene.name = "ball";
+    scene.lights.push_back({});
+    scene.objects.push_back({.name = "ball", .mesh = SphereShape{}, .transform = {}, .material = {}});
+    return scene;
+}
+
+TEST(SweepOfAMotion, IsEvenOverItsNumbers) {
+    Motion motion{.mover = Mover::number, .path = "objects[0].material.shininess", .from = 8, .to = 64};
+    EXPECT_EQ(sweep_of(motion, ball(), 5), (Sweep{motion.path, {"8", "22", "36", "50", "64"}}));
+    motion.from = 1;
+    motion.to = 0;
+    motion.path = "lights[0].diffuse";
+    EXPECT_EQ(sweep_of(motion, ball(), 3).values, (std::vector<std::string>{"1", "0.5", "0"}));
+}
+
+TEST(SweepOfAMotion, WholeNumbersStayWholeAndNoneStandsTwice) {
+    const Motion motion{.mover = Mover::number, .path = "objects[0].mesh.rings", .from = 4, .to = 6};
+    EXPECT_EQ(sweep_of(motion, ball(), 5).values, (std::vector<std::string>{"4", "5", "6"})) << "4, 4.5, 5, 5.5, 6";
+}
+
+/// Every value is one that the scene takes.
+TEST(SweepOfAMotion, RoundingLeavesNoRange) {
+    Motion motion{.mover = Mover::number, .path = "camera.fov_y_degrees", .from = 10, .to = 178.99999};
+    EXPECT_EQ(sweep_of(motion, ball(), 2).values, (std::vector<std::string>{"10", "179"})) << "179 is accepted";
+    motion.to = 400;
+    EXPECT_EQ(sweep_of(motion, ball(), 2).values.back(), "179") << "the nearest that is";
+}
+
+TEST(SweepOfAMotion, WhatHasNoValuesIsRefused) {
+    EXPECT_THROW(sweep_of({.mover = Mover::camera}, ball(), 5), InputError);
+    EXPECT_THROW(sweep_of({.mover = Mover::number, .path = "lights[3].diffuse"}, ball(), 5), InputError);
+    EXPECT_THROW(sweep_of({.mover = Mover::number, .path = "lights[0].diffuse", .from = 1, .to = 1}, ball(), 5),
+                 InputError)
+        << "one value";
+}
+
+/// The first row has A's meshes, the others B's; columns have the setting's values.
+TEST(Grid, DrawsTechniquesDownAndValuesAcross) {
+    struct Drawn {
+        int rings;
+        double diffuse;
+        Technique technique;
+        bool operator==(const Drawn &) const = default;
+    };
+    std::vector<Drawn> drawn;
+    const DrawView draw = [&](const Scene &scene, const Technique &technique, Size size) {
+        drawn.push_back({std::get<SphereShape>(scene.objects[0].mesh).rings, scene.lights[0].diffuse, technique});
+        return Image(size, glm::vec4(0.5F));
+    };
+    const Technique a = parse_technique("flat/phong"), b = parse_technique("per-pixel/phong");
+    PictureOptions options;
+    options.size = {120, 40};
+    options.mesh_factors = {0.25, 2};
+    std::vector<double> shares;
+    const ByteImage picture = draw_grid(ball(), {{a, b}, {"lights[0].diffuse", {"0.25", "0.5"}}}, options,
+                                        {.draw = draw, .textbook = {}, .truth = {}}, "a test", [&](double share) {
+                                            shares.push_back(share);
+                                            return true;
+                                        });
+    EXPECT_EQ(picture.size.width, 240);
+    EXPECT_EQ(drawn, (std::vector<Drawn>{{8, 0.25, a}, {8, 0.5, a}, {64, 0.25, b}, {64, 0.5, b}}));
+    EXPECT_EQ(shares, (std::vector<double>{0.25, 0.5, 0.75, 1}));
+    EXPECT_THROW(draw_grid(ball(), {{a}, {"lights[0].diffuse", {"0.25", "0.5"}}}, options,
+                           {.draw = draw, .textbook = {}, .truth = {}}, "a test", [](double) { return false; }),
+                 Cancelled);
 }
 
 } // namespace

@@ -30,6 +30,7 @@ PictureOptions unusual() {
     options.gain = 3.7;
     options.divider = 0.3125;
     options.wireframe = true;
+    options.masks = true;
     options.labels = true;
     options.mesh_factors = {0.25, 2};
     options.view = "from-above";

@@ -1,6 +1,9 @@
 #include "commands/script_gl.h"
 #include "image/png.h"
 
+#include <string>
+#include <tuple>
+
 /// That everything in the window can be read and reached.
 namespace sandbox {
 namespace {
@@ -94,6 +97,55 @@ key Down
 key Space
 expect Status Opened
 )"));
+}
+
+/// Ctrl+Tab goes on from the menu bar to the edges: arrows move them, Enter brings them back.
+TEST_F(ScriptGl, TheEdgesMoveByArrows) {
+    const std::string to_side = "key P\nhover Status\nhold Ctrl\nkey Ctrl+Tab\nkey Ctrl+Tab\nkey Ctrl+Tab\n";
+    const std::string to_bottom = to_side + "key Ctrl+Tab\n";
+    for (const auto &[way, less, more] :
+         {std::tuple(to_side, "key Left\n", "key Right\n"), std::tuple(to_bottom, "key Up\n", "key Down\n")}) {
+        const std::string one(less), other(more);
+        EXPECT_PLAYED(play(way + "release Ctrl\nshot first.png\n" + one + one + "shot moved.png\n" + other + other +
+                           "shot again.png\n" + one + "key Enter\nshot back.png\n"));
+        expect_other("first.png", "moved.png");
+        expect_same("first.png", "again.png");
+        expect_same("first.png", "back.png");
+    }
+}
+
+TEST_F(ScriptGl, ADoubleClickBringsAnEdgeBack) {
+    EXPECT_PLAYED(play("key P\nhover Status\nshot first.png\ndrag \"bottom edge\" 0 -60\nhover Status\n"
+                       "shot dragged.png\ndouble-click \"bottom edge\"\nhover Status\nshot back.png\n"));
+    expect_other("first.png", "dragged.png");
+    expect_same("first.png", "back.png");
+}
+
+/// Whole titles, short ones, then a list; by the same names where they are buttons.
+TEST_F(ScriptGl, TheTabsOpenInWindowsOfEverySize) {
+    EXPECT_PLAYED(play(R"(
+size 800x500
+click "Error vs run time"
+expect "Error vs run time/Run" Run
+click Stability
+click Stability/spot-cutoff-0
+expect A/name textbook
+scale 2
+click tabs
+click tabs/Motion
+expect Motion/moment "the scene itself"
+click tabs
+click "tabs/no tab"
+expect tabs "choose a tab"
+)"));
+}
+
+/// Twice the pixels at twice the scale: the same layout, in sharper text.
+TEST_F(ScriptGl, ADenseScreenKeepsTheLayout) {
+    EXPECT_PLAYED(play("scale 2\nsize 2000x1120\nkey P\nshot dense.png\nexpect \"side edge\" \"side edge\"\n"));
+    const Image dense = decode_png(folder.read("dense.png"), "dense.png");
+    EXPECT_EQ(dense.size, (Size{2000, 1120}));
+    EXPECT_EQ(play("scale 0\n").exit_code, 2);
 }
 
 /// Text of any size makes panels of any height: no black line of the surface below shows between them.

@@ -67,5 +67,57 @@ TEST(TermShares, TheBackgroundHasNone) {
     EXPECT_TRUE(term_shares(scene, test::resources_of(scene), {}, {40, 30}, 0, 0).empty());
 }
 
+TEST(TermRow, ItsTermsAddUpToTheReferencesRow) {
+    const Scene scene = lit_ball();
+    const auto loaded = test::resources_of(scene);
+    const Size size{40, 30};
+    for (const char *technique : {"flat/phong", "per-vertex/blinn-phong", "per-pixel/phong", "hybrid/blinn-phong",
+                                  "per-pixel/phong:ambient=where-lit", "per-vertex/lambert"}) {
+        const Technique t = parse_technique(technique);
+        const ReferenceFrame frame = render_reference(scene, loaded, t, size);
+        for (const int y : {3, 14, 29}) {
+            const auto row = reference_row(scene, loaded, t, size, y);
+            const auto ambient = term_row(scene, loaded, t, size, y, "ambient");
+            const auto diffuse = term_row(scene, loaded, t, size, y, "diffuse");
+            const auto specular = term_row(scene, loaded, t, size, y, "specular");
+            ASSERT_EQ(row.size(), 40U);
+            for (std::size_t x = 0; x < row.size(); ++x) {
+                const std::size_t pixel = static_cast<std::size_t>(y) * 40 + x;
+                ASSERT_EQ(row[x].has_value(), frame.object_ids[pixel] != 0);
+                EXPECT_EQ(row[x].value_or(scene.background), frame.color[pixel]) << technique << ", " << x << ", " << y;
+                const glm::dvec3 sum = ambient[x] + diffuse[x] + specular[x];
+                EXPECT_NEAR(glm::length(sum - row[x].value_or(glm::dvec3(0))), 0, tight) << technique << ", " << x;
+            }
+        }
+    }
+}
+
+/// One light on a square that faces it and the eye: N = L = V = H, so each term is its intensity times its colour.
+TEST(TermRow, OfASquareThatFacesTheLightIsItsClosedForm) {
+    Scene scene;
+    scene.camera.position = {0, 0, 4};
+    scene.ambient = glm::dvec3(0.03);
+    Object square = test::object_of(PlaneShape{});
+    square.transform.rotate_degrees = {90, 0, 0};
+    scene.objects.push_back(square);
+    Light light;
+    light.type = LightType::directional;
+    light.direction = {0, 0, -1};
+    light.ambient = 0.25;
+    light.diffuse = 0.5;
+    light.specular = 0;
+    scene.lights = {light, light};
+    scene.lights[1].enabled = false;
+    const auto loaded = test::resources_of(scene);
+    const Material &m = square.material;
+    const glm::dvec3 l = light.color;
+    const auto middle = [&](const char *term) {
+        return term_row(scene, loaded, parse_technique("per-pixel/blinn-phong"), {41, 31}, 15, term)[20];
+    };
+    EXPECT_NEAR(glm::length(middle("ambient") - m.ambient * (scene.ambient + 0.25 * l)), 0, tight);
+    EXPECT_NEAR(glm::length(middle("diffuse") - 0.5 * m.diffuse * l), 0, tight);
+    EXPECT_EQ(middle("specular"), glm::dvec3(0)) << "the light has none";
+}
+
 } // namespace
 } // namespace sandbox

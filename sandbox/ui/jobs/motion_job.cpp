@@ -107,4 +107,19 @@ std::unique_ptr<SequenceJob> start_sequence(const DrawingSupplies &supplies, con
     return std::make_unique<SequenceJob>(supplies, draw);
 }
 
+std::unique_ptr<SequenceJob> start_sweep(const DrawingSupplies &supplies, const Scene &scene, const Grid &grid,
+                                         const PictureOptions &options, const std::filesystem::path &path,
+                                         const std::function<Painters(Renderer &)> &painters_of) {
+    const auto draw = [=, by = supplies.by](Renderer &renderer, JobReporter &reporter) {
+        reporter.say(path.filename().string());
+        const ByteImage picture = draw_grid(scene, grid, options, painters_of(renderer), "the sweep",
+                                            [&](double share) { return reporter.report(share); });
+        write_file(path, encode_png(picture));
+        const PictureOptions cell = cell_options(options, grid.techniques.front());
+        write_file(sidecar_path(path), grid_text(sidecar_text(scene, cell, by), grid));
+        return path;
+    };
+    return std::make_unique<SequenceJob>(supplies, draw);
+}
+
 } // namespace sandbox

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "capture/grid.h"
 #include "capture/picture.h"
 #include "scene/motion.h"
 #include "ui/jobs/drawing_job.h"
@@ -46,5 +47,10 @@ using SequenceJob = DrawingJob<std::filesystem::path>;
 std::unique_ptr<SequenceJob> start_sequence(const DrawingSupplies &supplies, const Scene &scene, const Motion &motion,
                                             const PictureOptions &options, const std::filesystem::path &folder,
                                             const std::function<Painters(Renderer &)> &painters_of);
+
+/// Draws a grid into the file `path`, beside it its sidecar, and returns `path`; `options` are those of the views.
+std::unique_ptr<SequenceJob> start_sweep(const DrawingSupplies &supplies, const Scene &scene, const Grid &grid,
+                                         const PictureOptions &options, const std::filesystem::path &path,
+                                         const std::function<Painters(Renderer &)> &painters_of);
 
 } // namespace sandbox

@@ -9,6 +9,8 @@
 #include <chrono>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
+#include <vector>
 
 namespace sandbox {
 
@@ -44,74 +46,80 @@ ReportRun measure(const Scene &scene, bool quick, const DrawnBy &by, Renderer &r
     return run;
 }
 
-double ladder_meshes(const PlanOptions &options) { return 1 + std::log2(options.last_rings / options.first_rings); }
-
 double seconds_of(const std::function<void()> &work) {
     const auto start = std::chrono::steady_clock::now();
     work();
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// One row: its first picture compiles, the others cost the same.
-RunCost cost_of(const Scene &scene, const Technique &technique, const DrawRows &draw, const PlanOptions &options) {
+/// Seconds that a row of a run takes: its program's, and all else. Throws InputError where it is refused, Cancelled.
+struct RowCost {
+    double compiling = 0, measuring = 0;
+};
+RowCost cost_of(const Scene &scene, const Technique &technique, const DrawRows &draw, const PlanOptions &options,
+                const Progress &progress) {
     Frame drawn;
     const double first = seconds_of([&] { drawn = draw.picture(scene, technique); });
-    draw.timed(scene, technique); // warms up
+    const double again = seconds_of([&] { drawn = draw.picture(scene, technique); });
     const double frame = draw.timed(scene, technique) / 1000;
-    const double judged = seconds_of([&] {
+    const double judging = seconds_of([&] {
+        const auto resources = draw.load(scene);
         const ReferenceFrame truth =
-            render_reference(scene, draw.load(scene), technique, options.size, Surface::mesh, {});
+            render_reference(scene, resources, technique, options.size, Surface::mesh, progress);
+        const ReferenceFrame other = truth;
         compare(drawn, truth, Flip::without);
+        split_error(drawn, truth, other, &other);
     });
-    return {std::max(first - frame, 0.0), frame * (options.warm_ups + options.repeats + 1), judged};
+    return {std::max(first - again, 0.0), again + frame * (options.warm_ups + options.repeats) + judging};
 }
 
-RunCost estimate(const Scene &scene, Renderer &renderer, JobReporter &reporter) {
-    constexpr std::size_t most_samples = 6;
-    const PlanOptions options = quick_plan();
+/// Of the rows on each mesh a few are tried, most of them on the finest meshes, whose rows take longest.
+double estimate(const Scene &scene, bool quick, Renderer &renderer, JobReporter &reporter) {
+    const PlanOptions options = quick ? quick_plan() : PlanOptions{};
     Target target(options.size);
     FrameClock clock(Context::software(), [&] { renderer.draw(scene, {}, target); });
     const DrawRows draw = rows_drawn_by(renderer, target, clock);
     const Plan plan = plan_report(scene, options, draw.load);
-    const std::size_t step = std::max<std::size_t>(plan.rows.size() / most_samples, 1);
-    RunCost sum;
-    double samples = 0;
-    for (std::size_t i = step / 2; i < plan.rows.size() && !reporter.cancelled(); i += step) {
-        try {
-            const RunCost row = cost_of(plan.meshes[plan.rows[i].mesh].scene, plan.rows[i].technique, draw, options);
-            sum = {sum.compiling + row.compiling, sum.drawing + row.drawing, sum.judging + row.judging};
-            ++samples;
-        } catch (const InputError &) {
-            continue; // refused: the run, too, leaves it out
+    const std::size_t meshes = plan.meshes.size();
+    double seconds = 0, compiling = 0, tried = 0;
+    std::size_t most_rows = 0;
+    for (std::size_t mesh = 0; mesh < meshes; ++mesh) {
+        std::vector<PlannedRow> rows;
+        std::ranges::copy_if(plan.rows, std::back_inserter(rows), [&](const PlannedRow &r) { return r.mesh == mesh; });
+        const std::size_t finer = meshes - 1 - mesh;
+        const std::size_t samples = std::min<std::size_t>(finer < 2 ? 3 - finer : 1, rows.size());
+        double sum = 0, counted = 0;
+        for (std::size_t i = 0; i < samples; ++i) {
+            const std::size_t at =
+                samples == 1 ? rows.size() * (2 * mesh + 1) / (2 * meshes) : rows.size() * (2 * i + 1) / (2 * samples);
+            try {
+                const RowCost cost = cost_of(plan.meshes[mesh].scene, rows[at].technique, draw, options,
+                                             [&](double) { return !reporter.cancelled(); });
+                sum += cost.measuring;
+                compiling += cost.compiling;
+                ++counted;
+            } catch (const InputError &) {
+                continue; // refused: the run, too, leaves it out
+            }
         }
+        tried += counted;
+        seconds += counted > 0 ? sum / counted * static_cast<double>(rows.size()) : 0;
+        most_rows = std::max(most_rows, rows.size());
     }
-    const double rows = static_cast<double>(plan.rows.size()) / std::max(samples, 1.0);
-    const double programs = rows / static_cast<double>(std::max<std::size_t>(plan.meshes.size(), 1)); // once for all
-    return {sum.compiling * programs, sum.drawing * rows, sum.judging * rows};
+    return seconds + compiling / std::max(tried, 1.0) * static_cast<double>(most_rows); // a program once for all meshes
 }
 
 } // namespace
-
-double RunCost::seconds(bool quick) const {
-    if (quick) {
-        return compiling + drawing + judging;
-    }
-    const PlanOptions full, part = quick_plan();
-    const double pixels =
-        static_cast<double>(full.size.width) * full.size.height / (part.size.width * part.size.height);
-    const double rounds = (full.warm_ups + full.repeats + 1.0) / (part.warm_ups + part.repeats + 1);
-    const double meshes = ladder_meshes(full) / ladder_meshes(part);
-    return compiling + (drawing * rounds + judging) * pixels * meshes;
-}
 
 std::string about_seconds(double seconds) {
     return seconds < 100 ? fmt::format("about {} s", std::max(std::lround(seconds / 5) * 5, 5L))
                          : fmt::format("about {} min", std::lround(seconds / 60));
 }
 
-std::unique_ptr<CostJob> start_estimate(const DrawingSupplies &supplies, const Scene &scene) {
-    return std::make_unique<CostJob>(
-        supplies, [scene](Renderer &renderer, JobReporter &reporter) { return estimate(scene, renderer, reporter); });
+std::unique_ptr<CostJob> start_estimate(const DrawingSupplies &supplies, const Scene &scene, bool quick) {
+    return std::make_unique<CostJob>(supplies, [scene, quick](Renderer &renderer, JobReporter &reporter) {
+        return estimate(scene, quick, renderer, reporter);
+    });
 }
 
 std::unique_ptr<ReportJob> start_report(const DrawingSupplies &supplies, const Scene &scene, bool quick) {

@@ -6,6 +6,7 @@
 #include "scene/scene_file.h"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <utility>
 
@@ -24,6 +25,7 @@ void take_sidecar(OpenedFile &file, const PictureOptions &options) {
     file.textbook_left = options.textbook_left;
     file.mesh_factors = options.mesh_factors;
     file.wireframe = options.wireframe;
+    file.masks = options.masks;
     file.marks = options.marks;
     if (options.layout != Layout::single || options.flip != FlipSide::none) {
         file.right = options.right;
@@ -67,6 +69,12 @@ OpenedFile open_file(const std::string &name_or_path, const Assets &assets, Scen
     return file;
 }
 
+bool is_image_name(const std::filesystem::path &path) {
+    std::string ending = path.extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending == ".png" || ending == ".jpg" || ending == ".jpeg";
+}
+
 OpenedFile open_text(const std::string &text) {
     OpenedFile file;
     file.name = "pasted";
@@ -95,6 +103,7 @@ void take_view(ViewSettings &view, const OpenedFile &file) {
     view.layout = file.layout.value_or(view.layout);
     view.divider = static_cast<float>(file.divider.value_or(static_cast<double>(view.divider)));
     view.wireframe = file.wireframe.value_or(view.wireframe);
+    view.masks = file.masks.value_or(view.masks);
     if (file.marks) {
         view.pinned_pixel = file.marks->pixel;
         view.loupe = file.marks->loupe;

@@ -5,6 +5,7 @@
 #include "scene/mesh_factor.h"
 #include "ui/session/session.h"
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -22,7 +23,7 @@ struct OpenedFile {
     std::optional<double> exposure;
     std::optional<Layout> layout;
     std::optional<double> divider; ///< of a wipe
-    std::optional<bool> wireframe;
+    std::optional<bool> wireframe, masks;
     std::optional<Marks> marks;
     std::optional<double> gain; ///< of a difference, as is:
     std::optional<DifferenceOf> difference_of;
@@ -32,6 +33,9 @@ struct OpenedFile {
 OpenedFile open_file(const std::string &name_or_path, const Assets &assets);
 /// Likewise, where `scene` is the file's with settings of its own.
 OpenedFile open_file(const std::string &name_or_path, const Assets &assets, Scene scene);
+
+/// Does a file's name say that it is a picture, as textures are?
+bool is_image_name(const std::filesystem::path &path);
 
 /// A scene or a sidecar as text, from the clipboard. Throws InputError.
 OpenedFile open_text(const std::string &text);

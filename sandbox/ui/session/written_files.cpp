@@ -71,6 +71,7 @@ PictureOptions picture_options(const Session &session, Size each) {
     options.difference_of = session.view.difference_of;
     options.samples = samples_shown(session);
     options.wireframe = session.view.wireframe;
+    options.masks = session.view.masks && options.layout != Layout::difference;
     options.divider = static_cast<double>(session.view.divider);
     options.labels = true;
     options.marks.vectors = session.view.overlay == Overlay::pixel && session.view.probed();

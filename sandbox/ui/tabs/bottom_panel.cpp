@@ -7,6 +7,9 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <imgui.h>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace sandbox {
 
@@ -15,26 +18,54 @@ namespace {
 /// Half of the height, or a little more if that is little: the pictures stay pictures.
 float first_share(float room) { return std::clamp(ImGui::GetFontSize() * 19 / room, 0.5F, 0.55F); }
 
+constexpr float title_gap = 2; // pixels
+
 float tabs_height() { return std::ceil(ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().ItemSpacing.y); }
 
-void draggable_edge(Session &session, float room) {
-    const ImVec2 size{std::max(ImGui::GetContentRegionAvail().x, 1.0F), edge_thickness()};
-    float &share = session.appearance.sizes.bottom_share;
-    if (panel_edge(session, "bottom edge", size, share, "Drag to give the pictures more or less room.")) {
-        const float bottom = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
-        share = std::clamp((bottom - ImGui::GetMousePos().y) / room, least_bottom_share, most_bottom_share);
+/// How the titles stand beside each other: the first way that fits.
+enum class Titles { whole, brief, list };
+
+Titles titles_for(float room) {
+    for (const Titles titles : {Titles::whole, Titles::brief}) {
+        float width = 0;
+        for (const BottomTab &row : bottom_tabs) {
+            width += button_width(titles == Titles::whole ? row.title : row.brief) + title_gap;
+        }
+        if (width - title_gap <= room) {
+            return titles;
+        }
+    }
+    return Titles::list;
+}
+
+/// One list with all titles, and a way to fold the open one.
+void draw_list(Session &session, float width) {
+    std::vector<std::string> names{session.appearance.tab ? "no tab" : "choose a tab"};
+    for (const BottomTab &row : bottom_tabs) {
+        names.emplace_back(row.title);
+    }
+    std::size_t chosen = session.appearance.tab ? *session.appearance.tab + 1 : 0;
+    ImGui::SetNextItemWidth(std::min(width, ImGui::GetFontSize() * 14));
+    if (combo(session, "##tabs", names, chosen, "The tabs of this panel.")) {
+        session.appearance.tab = chosen > 0 ? std::optional(chosen - 1) : std::nullopt;
     }
 }
 
 void draw_titles(Session &session) {
+    const float room = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().WindowPadding.x;
+    const Titles titles = titles_for(room);
+    if (titles == Titles::list) {
+        return draw_list(session, room);
+    }
     for (std::size_t tab = 0; tab < std::size(bottom_tabs); ++tab) {
         const BottomTab &row = bottom_tabs[tab];
         const bool open = session.appearance.tab == tab;
         const char *fold = open ? "  Click again to fold it." : "";
-        if (toggle_button(session, row.title, open, fmt::format("{} ({}).{}", row.hint, row.key, fold))) {
+        if (toggle_button(session, row.title, open, fmt::format("{} ({}).{}", row.hint, row.key, fold),
+                          titles == Titles::brief ? row.brief : row.title)) {
             toggle_tab(session, tab);
         }
-        ImGui::SameLine(0, 2);
+        ImGui::SameLine(0, title_gap);
     }
     ImGui::NewLine();
 }
@@ -60,13 +91,9 @@ void BottomPanel::follow(Session &session, ViewPainter &painter) {
     }
 }
 
-void BottomPanel::draw(Session &session, ViewPainter &painter, float room) {
+void BottomPanel::draw(Session &session, ViewPainter &painter) {
     const ImGuiStyle &style = ImGui::GetStyle();
-    if (session.appearance.tab) {
-        ImGui::SetCursorPos({0, 0});
-        draggable_edge(session, room);
-    }
-    ImGui::SetCursorPos({style.WindowPadding.x, style.ItemSpacing.y + (session.appearance.tab ? edge_thickness() : 0)});
+    ImGui::SetCursorPos({style.WindowPadding.x, style.ItemSpacing.y});
     draw_titles(session);
     if (const auto tab = session.appearance.tab) {
         ImGui::SetCursorPosX(style.WindowPadding.x);

@@ -6,7 +6,7 @@
 
 namespace sandbox {
 
-/// Below the pictures: the titles of all tabs and the open one. Its upper edge can be dragged.
+/// Below the pictures: the titles of all tabs and the open one.
 class BottomPanel {
   public:
     explicit BottomPanel(const DrawingSupplies &supplies);
@@ -16,7 +16,7 @@ class BottomPanel {
     /// What the open tab draws over the pictures, with or without the panel.
     void follow(Session &session, ViewPainter &painter);
     /// Fills the current ImGui window.
-    void draw(Session &session, ViewPainter &painter, float room);
+    void draw(Session &session, ViewPainter &painter);
     /// Does any tab work in the background?
     [[nodiscard]] bool busy() const;
     /// The most important news of any tab, shown or not.

@@ -31,8 +31,9 @@ class TabContent {
 
 struct BottomTab {
     const char *title;
-    char key;         ///< opens and folds it
-    const char *hint; ///< what it shows
+    const char *brief; ///< in place of the title where there is little room
+    char key;          ///< opens and folds it
+    const char *hint;  ///< what it shows
     std::unique_ptr<TabContent> (*make)(const DrawingSupplies &);
     Overlay overlay = Overlay::none; ///< drawn over the pictures while it is open
 };
@@ -46,13 +47,15 @@ std::unique_ptr<TabContent> stability_tab(const DrawingSupplies &supplies);
 
 /// From left to right. The panel, the menu, the keyboard and the list of keys read these rows.
 constexpr BottomTab bottom_tabs[] = {
-    {"Pixel probe", 'P', "All vectors and terms of one pixel, in A, B and the truth", pixel_probe_tab, Overlay::pixel},
-    {"Profile", 'L', "A, B and the truth along a line through the pictures", profile_tab, Overlay::profile},
-    {"Motion", 'O', "A light, an object, the camera or any number plays; how far pictures jump from frame to frame",
-     motion_tab},
-    {"Error vs run time", 'E', "How far every technique is from the truth, and how long it takes", error_time_tab},
-    {"GLSL", 'G', "The programs of A and B beside each other", glsl_tab},
-    {"Stability", 'S', "Stiff and extreme scenes, in which a textbook's formulas break", stability_tab},
+    {"Pixel probe", "Probe", 'P', "All vectors and terms of one pixel, in A, B and the truth", pixel_probe_tab,
+     Overlay::pixel},
+    {"Profile", "Profile", 'L', "A, B and the truth along a line through the pictures", profile_tab, Overlay::profile},
+    {"Motion", "Motion", 'O',
+     "A light, an object, the camera or any number plays; how far pictures jump from frame to frame", motion_tab},
+    {"Error vs run time", "Error/time", 'E', "How far every technique is from the truth, and how long it takes",
+     error_time_tab},
+    {"GLSL", "GLSL", 'G', "The programs of A and B beside each other", glsl_tab},
+    {"Stability", "Stability", 'S', "Stiff and extreme scenes, in which a textbook's formulas break", stability_tab},
 };
 
 /// The one that draws `overlay` over the pictures; none for Overlay::none.

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <exception>
 #include <fmt/format.h>
+#include <utility>
 
 namespace sandbox {
 
@@ -41,15 +42,19 @@ class ErrorTimeTab final : public TabContent {
     std::optional<ReportRun> run_;   ///< the last one that brought any row
     std::string name_;               ///< of its scene
     std::string failure_;
-    std::optional<Scene> estimated_; ///< the scene that cost_ is of
-    std::optional<RunCost> cost_;
+    std::optional<std::pair<Scene, bool>>
+        estimated_; ///< the scene that seconds_ is of, and whether it is a quick run's
+    std::optional<double> seconds_;
     std::unique_ptr<CostJob> estimating_; ///< while one runs
 };
 
 void ErrorTimeTab::start(Session &session) {
     try {
         failure_.clear();
-        estimating_.reset();
+        if (estimating_) {
+            estimating_->job().cancel(); // its end wakes the window
+            estimated_.reset();
+        }
         running_name_ = session.document.opened->name;
         job_ = start_report(supplies_, session.document.scene, quick_);
     } catch (const std::exception &error) {
@@ -64,34 +69,38 @@ News ErrorTimeTab::take_news(Session &session) {
     }
     const News estimate = estimating_ ? estimating_->job().take_news() : News::none;
     if (estimate == News::result) {
-        if (estimating_->job().state() == JobState::done) {
-            cost_ = estimating_->take_result();
+        if (estimating_->job().state() == JobState::done && !estimating_->job().cancelled()) {
+            seconds_ = estimating_->take_result();
         }
         estimating_.reset();
     }
     return std::max(news, estimate);
 }
 
-/// Once a scene, when all else about it has been found out.
+/// Once a scene and kind of run, when all else about the scene has been found out.
 void ErrorTimeTab::estimate(const Session &session, const ViewPainter &painter) {
     const Findings *findings = painter.findings();
-    const Scene &scene = session.document.scene;
-    if (!session.appearance.run_times || estimating_ || findings == nullptr || !findings->sides[1].time ||
-        estimated_ == scene) {
+    const std::pair wanted(session.document.scene, quick_);
+    if (!session.appearance.run_times || findings == nullptr || !findings->sides[1].time || estimated_ == wanted) {
         return;
     }
-    estimated_ = scene;
-    cost_.reset();
+    seconds_.reset();
+    if (estimating_) {
+        estimating_->job().cancel(); // its end wakes the window
+        return;
+    }
+    estimated_ = wanted;
     try {
-        estimating_ = start_estimate(supplies_, scene);
+        estimating_ = start_estimate(supplies_, wanted.first, quick_);
     } catch (const std::exception &) {
         return; // a run says why
     }
 }
 
 void ErrorTimeTab::show_estimate(Session &session) const {
-    const std::string text = !session.appearance.run_times || estimated_ != session.document.scene ? ""
-                             : cost_       ? "takes " + about_seconds(cost_->seconds(quick_))
+    const bool known = session.appearance.run_times && estimated_ == std::pair(session.document.scene, quick_);
+    const std::string text = !known        ? ""
+                             : seconds_    ? "takes " + about_seconds(*seconds_)
                              : estimating_ ? "estimating how long it takes ..."
                                            : "";
     if (!text.empty()) {

@@ -137,9 +137,9 @@ void GlslTab::draw(Session &session, ViewPainter &painter) {
                                               list_program(session, painter, true)};
         const std::size_t stage = stage_choice(session);
         if (objects.size() > 1) {
-            ImGui::SameLine();
-            ImGui::TextColored(quiet_text(), "of object %zu %s", session.object + 1,
-                               objects[session.object].name.c_str());
+            const std::string of = fmt::format("of object {} {}", session.object + 1, objects[session.object].name);
+            same_line_if_fits(ImGui::CalcTextSize(of.c_str()).x);
+            ImGui::TextColored(quiet_text(), "%s", of.c_str());
         }
         if (ImGui::BeginTable("columns", 2, ImGuiTableFlags_SizingStretchSame)) {
             for (const bool right : {false, true}) {

@@ -1,5 +1,6 @@
 #include "ui/tabs/bottom_tabs.h"
 
+#include "image/error.h"
 #include "ui/jobs/motion_job.h"
 #include "ui/session/written_files.h"
 #include "ui/tabs/motion_strip.h"
@@ -8,6 +9,7 @@
 #include "ui/widgets/widgets.h"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <fmt/format.h>
 #include <imgui.h>
@@ -30,11 +32,14 @@ class MotionTab final : public TabContent {
     void find_changes(const Session &session, const ViewPainter &painter);
     void buttons(Session &session, ViewPainter &painter);
     void capture(Session &session, ViewPainter &painter);
+    void sweep_controls(Session &session, ViewPainter &painter);
+    void capture_sweep(Session &session, ViewPainter &painter);
 
     DrawingSupplies supplies_;
     std::optional<Changes> changes_;            ///< the last ones, perhaps not whole
     std::unique_ptr<ChangesJob> changes_job_;   ///< while one runs
-    std::unique_ptr<SequenceJob> sequence_job_; ///< likewise
+    std::unique_ptr<SequenceJob> sequence_job_; ///< likewise, of a sequence or a sweep
+    double sweep_values_ = 5;
 };
 
 std::vector<Motion> offered_motions(const Scene &scene) {
@@ -113,6 +118,49 @@ void MotionTab::capture(Session &session, ViewPainter &painter) {
     });
 }
 
+/// In cells of the views' shape, together no wider than `widest`.
+void MotionTab::capture_sweep(Session &session, ViewPainter &painter) {
+    attempt(session, "Not captured: ", [&] {
+        constexpr int widest = 8192;
+        const Document &document = session.document;
+        if (document.left_is_textbook()) {
+            throw InputError("A is the textbook's picture, and a sweep is of techniques");
+        }
+        Grid grid{{document.left},
+                  sweep_of(session.playback.motion, document.scene, static_cast<int>(std::lround(sweep_values_)))};
+        if (document.left != document.right || document.mesh_factors[0] != document.mesh_factors[1]) {
+            grid.techniques.push_back(document.right);
+        }
+        const Size each = painter.view(false).size;
+        PictureOptions options = picture_options(session, each);
+        const int width = std::min(each.width, widest / static_cast<int>(grid.sweep.values.size()));
+        options.size = {width, std::max(1, each.height * width / std::max(each.width, 1))};
+        const auto path = std::filesystem::absolute(free_name(capture_folder(), document.opened->name + "-sweep"));
+        sequence_job_ = start_sweep(
+            supplies_, scene_in_view(document, each), grid, options, path,
+            [wireframe = options.wireframe](Renderer &renderer) { return painters_of(renderer, wireframe); });
+    });
+}
+
+/// A number alone can be swept.
+void MotionTab::sweep_controls(Session &session, ViewPainter &painter) {
+    const float field = ImGui::GetFontSize() * 3, gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    same_line_if_fits(button_width("Capture a sweep of") + field + 2 * gap + ImGui::CalcTextSize("values").x);
+    ImGui::BeginDisabled(session.playback.motion.mover != Mover::number);
+    if (button(session, "Capture a sweep of",
+               "Writes one labelled picture: A and B under each other, the number's values across, evenly from its "
+               "first to its last. What moves must be a number.")) {
+        capture_sweep(session, painter);
+    }
+    ImGui::SameLine(0, gap);
+    ImGui::SetNextItemWidth(field);
+    slider(session, {"values", {.low = 2, .high = 16, .slider = {2, 16, "%.0f"}}, "Pictures beside each other."},
+           sweep_values_, 5);
+    ImGui::SameLine(0, gap);
+    ImGui::TextUnformatted("values");
+    ImGui::EndDisabled();
+}
+
 void MotionTab::buttons(Session &session, ViewPainter &painter) {
     const Playback &play = session.playback;
     if (toggle_button(session, play.playing ? "Pause" : "Play", play.playing,
@@ -143,6 +191,7 @@ void MotionTab::buttons(Session &session, ViewPainter &painter) {
                "that makes them again.")) {
         capture(session, painter);
     }
+    sweep_controls(session, painter);
     const std::string where =
         !play.shown ? "the scene itself" : fmt::format("moment {} of {}", play.moment, moments_of(play.motion));
     same_line_if_fits(ImGui::CalcTextSize(where.c_str()).x);

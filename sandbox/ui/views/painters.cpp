@@ -35,7 +35,14 @@ Painters painters_of(Renderer &renderer, bool wireframe) {
                     return to_frame(render_reference(scene, resources(scene), technique, size)).color;
                 },
             .probe = [resources](const Scene &scene, const Technique &technique, Size size, int x,
-                                 int y) { return probe_pixel(scene, resources(scene), technique, size, x, y); }};
+                                 int y) { return probe_pixel(scene, resources(scene), technique, size, x, y); },
+            .judge =
+                [resources, &renderer](const Scene &scene, const Technique &technique, Size size, bool of_textbook) {
+                    const auto loaded = resources(scene);
+                    const Frame drawn = of_textbook ? textbook_picture(scene, loaded, technique, size)
+                                                    : renderer.render(scene, technique, size, true);
+                    return judge_view(drawn, render_reference(scene, loaded, truth_of(technique), size));
+                }};
 }
 
 } // namespace sandbox

@@ -1,5 +1,6 @@
 #include "ui/views/view_captions.h"
 
+#include "capture/masks.h"
 #include "capture/picture.h"
 #include "ui/session/fault_names.h"
 #include "ui/widgets/theme.h"
@@ -215,28 +216,14 @@ void draw_mask_legend(const Session &session, const ViewPainter &painter, const 
     }
     const Findings *findings = painter.findings();
     const SideFindings *side = findings != nullptr ? &findings->sides[right ? 1 : 0] : nullptr;
-    std::vector<std::pair<ImU32, std::string>> lines;
-    if (side == nullptr || !side->metrics || side->uses.empty()) {
-        lines.emplace_back(0, "masks: not measured yet");
-    } else {
-        const Metrics &metrics = *side->metrics;
-        const double share = metrics.compared_share;
-        lines.emplace_back(0, std::isnan(share) ? "against its reference: nothing is shown"
-                                                : fmt::format("against its reference: {:.1f} % compared", 100 * share));
-        for (const Mask &mask : masks) {
-            const std::size_t pixels = metrics.*mask.pixels;
-            const auto [r, g, b] = mask.color;
-            lines.emplace_back(IM_COL32(r, g, b, 255), pixels == 0
-                                                           ? fmt::format("{}: none", mask.name)
-                                                           : fmt::format("{}: {} pixels, error up to {:.2g}", mask.name,
-                                                                         pixels, metrics.*mask.max_abs));
-        }
-    }
+    const std::vector<LegendLine> lines = side == nullptr || !side->metrics || side->uses.empty()
+                                              ? std::vector<LegendLine>{{{}, "masks: not measured yet"}}
+                                              : mask_legend(*side->metrics);
     const float line = ImGui::GetTextLineHeightWithSpacing();
     const float em = ImGui::GetFontSize();
     float width = 0;
     for (const auto &[color, text] : lines) {
-        width = std::max(width, ImGui::CalcTextSize(text.c_str()).x + (color != 0 ? em * 1.2F : 0));
+        width = std::max(width, ImGui::CalcTextSize(text.c_str()).x + (color ? em * 1.2F : 0));
     }
     const ImVec2 size{width + em, line * static_cast<float>(lines.size()) + em * 0.5F};
     const float x = align_right ? picture.high.x - size.x : picture.low.x;
@@ -247,10 +234,11 @@ void draw_mask_legend(const Session &session, const ViewPainter &painter, const 
     y += em * 0.3F;
     for (const auto &[color, text] : lines) {
         const float left = x + em * 0.5F;
-        if (color != 0) {
-            list.AddRectFilled({left, y + em * 0.15F}, {left + em * 0.8F, y + em * 0.95F}, color);
+        if (color) {
+            list.AddRectFilled({left, y + em * 0.15F}, {left + em * 0.8F, y + em * 0.95F},
+                               IM_COL32((*color)[0], (*color)[1], (*color)[2], 255));
         }
-        list.AddText({color != 0 ? left + em * 1.2F : left, y}, IM_COL32(240, 240, 240, 255), text.c_str());
+        list.AddText({color ? left + em * 1.2F : left, y}, IM_COL32(240, 240, 240, 255), text.c_str());
         y += line;
     }
     list.PopClipRect();

@@ -183,19 +183,22 @@ void show_layout(Session &session, const ViewPainter &painter, const Arrangement
 
 /// What a column shows, for the loupe. Of a wipe the side under the pixel.
 unsigned texture_of(const Session &session, const ViewPainter &painter, int column) {
+    const auto side = [&](bool right) {
+        const unsigned masks = painter.mask_texture(right);
+        return masks != 0 ? masks : painter.view(right).texture;
+    };
     switch (session.view.layout) {
     case Layout::difference:
         return painter.difference_texture();
     case Layout::single:
-        return painter.view(session.view.show_right).texture;
+        return side(session.view.show_right);
     case Layout::wipe:
-        return painter.view(session.view.probed().value_or(glm::dvec2(0)).x > static_cast<double>(session.view.divider))
-            .texture;
+        return side(session.view.probed().value_or(glm::dvec2(0)).x > static_cast<double>(session.view.divider));
     case Layout::side_by_side:
     case Layout::three_up:
         break;
     }
-    return column == 2 ? painter.truth_texture(false) : painter.view(column == 1).texture;
+    return column == 2 ? painter.truth_texture(false) : side(column == 1);
 }
 
 } // namespace

@@ -199,32 +199,49 @@ bool radio_button(Session &session, const std::string &label, bool on, const std
     return clicked;
 }
 
-bool toggle_button(Session &session, const std::string &label, bool on, const std::string &hint) {
+bool toggle_button(Session &session, const std::string &label, bool on, const std::string &hint, const char *shown) {
     if (on) {
         ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
         ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
         ImGui::PushStyleColor(ImGuiCol_Text, text_on_accent());
     }
-    const bool clicked = button(session, label, hint);
+    const bool clicked = ImGui::Button(shown != nullptr ? shown : label.c_str());
+    describe_item(session, label, hint);
     ImGui::PopStyleColor(on ? 3 : 0);
     return clicked;
 }
 
-bool panel_edge(Session &session, std::string_view name, ImVec2 size, float &chosen, const std::string &hint) {
+std::optional<float> panel_edge(Session &session, std::string_view name, ImVec2 size, float &chosen,
+                                const std::string &hint) {
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const ScopedId id{std::string(name)};
     ImGui::InvisibleButton("edge", size);
-    const bool active = ImGui::IsItemActive();
-    if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
+    const bool upright = size.y > size.x, hovered = ImGui::IsItemHovered();
+    const bool dragged = ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, 1);
+    const bool has_keys = ImGui::IsItemFocused() && ImGui::GetIO().NavVisible;
+    const auto pressed = [&](ImGuiKey_ key) { return has_keys && ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); };
+    if (ImGui::IsItemClicked(ImGuiMouseButton_Right) || pressed(ImGuiKey_Enter) ||
+        (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))) {
         chosen = 0;
     }
-    if (active || ImGui::IsItemHovered()) {
-        ImGui::SetMouseCursor(size.x > size.y ? ImGuiMouseCursor_ResizeNS : ImGuiMouseCursor_ResizeEW);
-        ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + size.x, low.y + size.y},
-                                                  ImGui::GetColorU32(ImGuiCol_SliderGrab));
+    if (hovered || ImGui::IsItemActive()) {
+        ImGui::SetMouseCursor(upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
     }
-    describe_item(session, name, hint + "  Right-click: back.");
-    return active;
+    if (hovered || has_keys || ImGui::IsItemActive()) {
+        ImGui::GetWindowDrawList()->AddRectFilled(
+            low, {low.x + size.x, low.y + size.y},
+            ImGui::GetColorU32(has_keys ? ImGuiCol_NavHighlight : ImGuiCol_SliderGrab));
+    }
+    describe_item(session, name,
+                  hint + "  Arrows move it while it has the keys (Ctrl+Tab).  Right-click, double click "
+                         "or Enter: back.");
+    if (dragged) {
+        return upright ? ImGui::GetMousePos().x : ImGui::GetMousePos().y;
+    }
+    const int steps = static_cast<int>(pressed(upright ? ImGuiKey_RightArrow : ImGuiKey_DownArrow)) -
+                      static_cast<int>(pressed(upright ? ImGuiKey_LeftArrow : ImGuiKey_UpArrow));
+    const float now = upright ? low.x + size.x : low.y;
+    return steps != 0 ? std::optional(now + static_cast<float>(steps) * ImGui::GetFontSize()) : std::nullopt;
 }
 
 float edge_thickness() { return std::max(4.0F, std::floor(ImGui::GetFontSize() * 0.3F)); }
@@ -259,7 +276,7 @@ void row_label(const std::string &label) {
 
 void heading(std::string_view text) {
     ImGui::Spacing();
-    ImGui::TextColored(quiet_text(), "%.*s", static_cast<int>(text.size()), text.data());
+    wrapped_text(quiet_text(), std::string(text));
 }
 
 void wrapped_text(const ImVec4 &color, const std::string &text) {

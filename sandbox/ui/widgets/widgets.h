@@ -39,10 +39,14 @@ bool button(Session &session, const std::string &label, const std::string &hint)
 bool small_button(Session &session, const std::string &label, const std::string &hint);
 bool checkbox(Session &session, const std::string &label, bool &on, const std::string &hint);
 bool radio_button(Session &session, const std::string &label, bool on, const std::string &hint);
-/// A button that stays pressed while `on`.
-bool toggle_button(Session &session, const std::string &label, bool on, const std::string &hint);
-/// The edge of a panel, over `size`: true while it is dragged. A right click sets `chosen` to 0.
-bool panel_edge(Session &session, std::string_view name, ImVec2 size, float &chosen, const std::string &hint);
+/// A button that stays pressed while `on`; `shown` in place of its label, which stays its name.
+bool toggle_button(Session &session, const std::string &label, bool on, const std::string &hint,
+                   const char *shown = nullptr);
+/// The edge of a panel, over `size` of the current window, upright if it is higher than wide: where along its way it
+/// is moved to, in window coordinates, by the mouse or, while it has the keys, by arrows. A right click, a double click
+/// and Enter set `chosen` to 0.
+std::optional<float> panel_edge(Session &session, std::string_view name, ImVec2 size, float &chosen,
+                                const std::string &hint);
 /// The thickness of an edge.
 float edge_thickness();
 /// The slider alone: as wide as the next item, over the usual part of the range and as far as `opened`.
