@@ -75,6 +75,13 @@ void draw_hairline(ByteImage &view, glm::dvec2 a, glm::dvec2 b, double width) {
     draw_line(view, a, b, width, white);
 }
 
+void draw_ring(ByteImage &view, glm::dvec2 centre, double radius, double width) {
+    for (const auto &[thick, color] : {std::pair(3 * width, black), std::pair(width, white)}) {
+        cover(view, centre - (radius + thick), centre + (radius + thick), color, 1,
+              [&](glm::dvec2 p) { return std::abs(glm::distance(p, centre) - radius) - thick / 2; });
+    }
+}
+
 void draw_arrow(ByteImage &view, const Arrow &arrow, double em) {
     const glm::dvec2 size(view.size.width, view.size.height);
     const glm::dvec2 from = arrow.from * size, to = arrow.to * size, along = to - from;
@@ -174,6 +181,9 @@ void draw_marks(ByteImage &view, const Marks &marks, const std::vector<Arrow> &a
     }
     if (marks.pixel && marks.loupe) {
         draw_loupe(view, plain, *marks.pixel, em);
+    }
+    if (marks.ring) {
+        draw_ring(view, glm::dvec2(*marks.ring) * glm::dvec2(width, height), marks.ring->z * height, 2 * hair);
     }
 }
 

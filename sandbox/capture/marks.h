@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +22,7 @@ struct Marks {
     bool vectors = false;            ///< a cross at the pixel and, from its point, N, V and every light's L, R or H
     bool loupe = false;              ///< the pixel and its neighbours, magnified, in a corner
     std::optional<double> profile;   ///< a line across, at this share of the height
+    std::optional<glm::dvec3> ring;  ///< where to look: x, y, and the radius as a share of the height
     bool operator==(const Marks &) const = default;
 };
 

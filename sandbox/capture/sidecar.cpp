@@ -52,6 +52,9 @@ void write_marks(ordered_json &out, const Marks &marks) {
     if (marks.profile) {
         out["profile"] = *marks.profile;
     }
+    if (marks.ring) {
+        out["ring"] = {marks.ring->x, marks.ring->y, marks.ring->z};
+    }
 }
 
 void read_techniques(const ordered_json &value, PictureOptions &options) {
@@ -145,6 +148,10 @@ std::optional<PictureOptions> sidecar_options(std::string_view text, std::string
         options.marks.pixel = {read_share(v.at(0).get<double>()), read_share(v.at(1).get<double>())};
     });
     read("profile", [&](const ordered_json &v) { options.marks.profile = read_share(v.get<double>()); });
+    read("ring", [&](const ordered_json &v) {
+        const auto share_at = [&](std::size_t i) { return read_share(v.at(i).get<double>()); };
+        options.marks.ring = {share_at(0), share_at(1), share_at(2)};
+    });
     read("mesh_factors", [&](const ordered_json &v) {
         options.mesh_factors = {checked_mesh_factor(v.at(0).get<double>()), checked_mesh_factor(v.at(1).get<double>())};
     });

@@ -3,6 +3,7 @@
 #include "measure/stability/cases.h"
 #include "scene/scene_file.h"
 #include "shading/technique.h"
+#include "teach/lesson_read.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -25,11 +26,8 @@ ordered_json list_scenes(const Assets &assets) {
 
 ordered_json list_lessons(const Assets &assets) {
     ordered_json lessons = ordered_json::array();
-    for (const std::string &path : assets.list("lessons/")) {
-        const ordered_json lesson = ordered_json::parse(assets.read(path).value_or(""), nullptr, false);
-        const bool titled = lesson.is_object() && lesson.contains("title") && lesson["title"].is_string();
-        lessons.push_back(
-            {{"name", std::filesystem::path(path).stem().string()}, {"title", titled ? lesson["title"] : ""}});
+    for (const Lesson &lesson : builtin_lessons(assets, words_of_lessons(assets))) {
+        lessons.push_back({{"name", lesson.name}, {"title", lesson.title.text}, {"about", lesson.about.text}});
     }
     return lessons;
 }

@@ -1,51 +1,15 @@
 #include "scene/scene_read.h"
 
-#include "image/error.h"
-#include "scene/scene_format.h"
-#include "scene/suggest.h"
+#include "scene/table_read.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <vector>
 
 namespace sandbox {
 namespace {
-
-/// 1e9 rather than 1e+09.
-std::string number_text(double value) {
-    const double power = std::log10(value);
-    return value >= 1e5 && power == std::floor(power) ? fmt::format("1e{:.0f}", power) : fmt::format("{:.9g}", value);
-}
-
-/// What is wrong with a number, as `<noun> >= 0`; empty: nothing.
-std::string broken_rule(double value, const Range &range, std::string_view noun) {
-    const bool low = range.above_low ? !(value > range.low) : !(value >= range.low);
-    if (value == range.or_exactly || (!low && value <= range.high)) {
-        return {};
-    }
-    if (!std::isnan(range.or_exactly)) {
-        return fmt::format("{} from {} to {}, or {}", noun, number_text(range.low), number_text(range.high),
-                           number_text(range.or_exactly));
-    }
-    return low ? fmt::format("{} {} {}", noun, range.above_low ? ">" : ">=", number_text(range.low))
-               : fmt::format("{} <= {}", noun, number_text(range.high));
-}
-
-std::string got(const Json &json) {
-    std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-    if (text.size() > 60) {
-        text = json.is_array() ? fmt::format("an array of {}", json.size()) : text.substr(0, 57) + "...";
-    }
-    return ", got " + text;
-}
-
-std::string below(const std::string &path, std::string_view key) {
-    return path.empty() ? std::string(key) : fmt::format("{}.{}", path, key);
-}
-std::string element(const std::string &path, std::size_t index) { return fmt::format("{}[{}]", path, index); }
 
 template <class S> constexpr bool is_built_in_shape = !std::is_same_v<S, ObjShape>;
 
@@ -59,125 +23,21 @@ std::vector<std::string_view> built_in_shapes() {
     return names;
 }
 
-class Reader {
+class Reader : public TableReader<Reader, Json> {
   public:
-    Reader(std::string_view name, std::filesystem::path folder) : name_(name), folder_(std::move(folder)) {}
-
-    /// `extra`: a key that is no field of T.
-    template <class T>
-    void read_object(const Json &json, const std::string &path, T &out, std::string_view extra = {}) const {
-        expect(json.is_object(), path, "an object", json);
-        check_keys<T>(json, path, extra);
-        for_each_field<T>([&](const auto &field) { read_field(json, path, field, out); });
-        finish(json, path, out);
-    }
+    Reader(std::string_view name, std::filesystem::path folder) : TableReader(name), folder_(std::move(folder)) {}
 
   private:
-    std::string name_;
+    friend TableReader<Reader, Json>;
     std::filesystem::path folder_;
 
-    [[noreturn]] void refuse(const std::string &path, const std::string &what) const {
-        throw InputError("{}: {}{}{}", name_, path, path.empty() ? "" : ": ", what);
-    }
-    void expect(bool good, const std::string &path, const std::string &what, const Json &json) const {
-        if (!good) {
-            refuse(path, json.is_discarded() ? "missing; expected " + what : "expected " + what + got(json));
-        }
-    }
-
-    template <class T> void check_keys(const Json &json, const std::string &path, std::string_view extra) const {
-        std::vector<std::string_view> known;
-        if (!extra.empty()) {
-            known.push_back(extra);
-        }
-        for_each_field<T>([&](const auto &field) { known.push_back(field.key); });
-        for (const auto &[key, value] : json.items()) {
-            if (std::ranges::find(known, key) == known.end()) {
-                refuse(below(path, key.substr(0, 60)),
-                       fmt::format("unknown key of this {}{}", format_of<T>.name, suggestion(key, known)));
-            }
-        }
-    }
-
-    template <class T, class M>
-    void read_field(const Json &json, const std::string &path, const Field<T, M> &field, T &out) const {
-        const Json missing(Json::value_t::discarded); // nothing expects it
-        if (const auto found = json.find(field.key); found != json.end() || field.rules.needed(out)) {
-            read(found != json.end() ? *found : missing, below(path, field.key), field.range, out.*field.member);
-        }
-    }
-
-    static std::string one_of(const auto &words) {
-        std::string list;
-        for (const std::string_view word : words) {
-            list += fmt::format("{}\"{}\"", list.empty() ? "one of " : ", ", word);
-        }
-        return list;
-    }
-
-    /// double or int
-    template <class Number>
-    void read(const Json &json, const std::string &path, const Range &range,
-              Number &out) const requires std::is_arithmetic_v<Number> {
-        const bool whole = std::is_integral_v<Number>;
-        const std::string noun = whole ? "a whole number" : "a number";
-        const double value = json.is_number() ? json.get<double>() : no_number;
-        expect(std::isfinite(value) && (!whole || std::trunc(value) == value), path, noun, json);
-        const std::string rule = broken_rule(value, range, noun);
-        expect(rule.empty(), path, rule, json);
-        out = static_cast<Number>(value);
-    }
-    void read(const Json &json, const std::string &path, const Range &, bool &out) const {
-        expect(json.is_boolean(), path, "true or false", json);
-        out = json.get<bool>();
-    }
-    void read(const Json &json, const std::string &path, const Range &, std::string &out) const {
-        expect(json.is_string(), path, "a string", json);
-        out = json.get<std::string>();
-    }
+    using TableReader::read;
     void read(const Json &json, const std::string &path, const Range &, LightType &out) const {
         const auto *kind = std::ranges::find_if(light_kinds, [&](const LightKind &k) { return json == k.word; });
         std::array<std::string_view, light_kinds.size()> words;
         std::ranges::transform(light_kinds, words.begin(), &LightKind::word);
         expect(kind != light_kinds.end(), path, one_of(words), json);
         out = kind->type;
-    }
-    template <class E>
-    void read(const Json &json, const std::string &path, const Range &, E &out) const requires HasWords<E> {
-        const auto found = std::ranges::find_if(words_of<E>, [&](std::string_view word) { return json == word; });
-        expect(found != words_of<E>.end(), path, one_of(words_of<E>), json);
-        out = static_cast<E>(found - words_of<E>.begin());
-    }
-    template <int N>
-    void read(const Json &json, const std::string &path, const Range &range, glm::vec<N, double> &out) const {
-        expect(json.is_array() && json.size() == N, path, fmt::format("an array of {} numbers", N), json);
-        for (int i = 0; i < N; ++i) {
-            const auto at = static_cast<std::size_t>(i);
-            read(json[at], element(path, at), range, out[i]);
-        }
-        expect(!range.a_direction || out != glm::vec<N, double>(0), path, "a vector other than (0, 0, 0)", json);
-    }
-    template <std::size_t N>
-    void read(const Json &json, const std::string &path, const Range &range, std::array<glm::dvec3, N> &out) const {
-        expect(json.is_array() && json.size() == N, path, fmt::format("an array of {} colours", N), json);
-        for (std::size_t i = 0; i < N; ++i) {
-            read(json[i], element(path, i), range, out[i]);
-        }
-    }
-    template <class T>
-    void read(const Json &json, const std::string &path, const Range &range, std::vector<T> &out) const {
-        expect(json.is_array(), path, "an array", json);
-        if (static_cast<double>(json.size()) > range.high) {
-            refuse(path, fmt::format("expected at most {} elements, got {}", number_text(range.high), json.size()));
-        }
-        out.assign(json.size(), T{});
-        for (std::size_t i = 0; i < json.size(); ++i) {
-            read(json[i], element(path, i), any, out[i]);
-        }
-    }
-    template <class T>
-    void read(const Json &json, const std::string &path, const Range &, std::optional<T> &out) const {
-        read_object(json, path, out.emplace());
     }
     void read(const Json &json, const std::string &path, const Range &, Shape &out) const {
         expect(json.is_object(), path, "an object with \"shape\" or \"obj\"", json);
@@ -190,10 +50,6 @@ class Reader {
                 read_object(json, path, out.emplace<S>(), is_built_in_shape<S> ? "shape" : "");
             }
         });
-    }
-    template <class T>
-    void read(const Json &json, const std::string &path, const Range &, T &out) const requires HasFormat<T> {
-        read_object(json, path, out);
     }
 
     void check_shape_word(const Json &json, const std::string &path) const {
@@ -215,7 +71,7 @@ class Reader {
     }
 
     // Rules that tie several keys together.
-    template <class T> void finish(const Json &, const std::string &, T &) const {}
+    using TableReader::finish;
     void finish(const Json &json, const std::string &path, Attenuation &a) const {
         expect(a.constant > 0 || a.linear > 0 || a.quadratic > 0, path, "a coefficient above 0", json);
     }

@@ -289,11 +289,11 @@ ByteImage mask_picture(const ByteImage &shown, const std::vector<PixelUse> &uses
 Metrics compare(const Frame &left, const ReferenceFrame &right, Flip flip) {
     return compare_views(Reading(left), Reading(right), flip);
 }
-Metrics compare(const Frame &left, const Frame &right) {
-    return compare_views(Reading(left), Reading(right), Flip::with);
+Metrics compare(const Frame &left, const Frame &right, Flip flip) {
+    return compare_views(Reading(left), Reading(right), flip);
 }
-Metrics compare(const ReferenceFrame &left, const ReferenceFrame &right) {
-    return compare_views(Reading(left), Reading(right), Flip::with);
+Metrics compare(const ReferenceFrame &left, const ReferenceFrame &right, Flip flip) {
+    return compare_views(Reading(left), Reading(right), flip);
 }
 
 ErrorSplit split_error(const Frame &drawn, const ReferenceFrame &technique, const ReferenceFrame &per_pixel,

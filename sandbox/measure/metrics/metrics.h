@@ -137,9 +137,9 @@ enum class Flip { with, without };
 /// `left` is judged against `right`. Both must have the same size and object ids (std::invalid_argument otherwise).
 Metrics compare(const Frame &left, const ReferenceFrame &right, Flip flip = Flip::with);
 /// Two drawn pictures: no masks are known but silhouettes.
-Metrics compare(const Frame &left, const Frame &right);
+Metrics compare(const Frame &left, const Frame &right, Flip flip = Flip::with);
 /// Two truths: what a mask of either covers is left out.
-Metrics compare(const ReferenceFrame &left, const ReferenceFrame &right);
+Metrics compare(const ReferenceFrame &left, const ReferenceFrame &right, Flip flip = Flip::with);
 
 /// What becomes of each pixel of the first comparison; a drawn picture gives its object ids alone.
 std::vector<PixelUse> pixel_uses(const std::vector<std::uint32_t> &left_ids, const ReferenceFrame &right);

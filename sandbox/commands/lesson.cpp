@@ -1,0 +1,122 @@
+#include "commands/commands.h"
+
+#include "capture/picture.h"
+#include "commands/interrupt.h"
+#include "commands/progress_bar.h"
+#include "commands/session.h"
+#include "image/png.h"
+#include "teach/lesson_format.h"
+#include "teach/lesson_read.h"
+#include "teach/lesson_report.h"
+#include "ui/views/painters.h"
+
+#include <fmt/format.h>
+
+namespace sandbox {
+namespace {
+
+constexpr Size slide_size{1280, 720};
+constexpr int slide_samples = 4;
+
+struct LessonFlags {
+    std::string lesson;
+    std::filesystem::path out;
+    bool check = false;
+    bool json = false;
+};
+
+PictureOptions slide_options(const LessonStep &step) {
+    PictureOptions options;
+    options.layout = parse_layout(words_of<StepLayout>[static_cast<std::size_t>(step.layout)]);
+    options.left = *step.left;
+    options.right = *step.right;
+    options.mesh_factors = {step.mesh_factors.x, step.mesh_factors.y};
+    options.size = slide_size;
+    options.display = step.display;
+    options.exposure = step.exposure;
+    options.gain = step.gain;
+    options.wireframe = step.wireframe;
+    options.samples = options.layout == Layout::difference || step.wireframe ? 1 : slide_samples;
+    options.labels = true;
+    if (step.look) {
+        options.marks.ring = glm::dvec3(step.look->at, step.look->radius);
+    }
+    return options;
+}
+
+/// The page and the slides. An error names the step.
+void write_lesson(const MeasuredLesson &measured, const std::filesystem::path &out, DrawingSession &session) {
+    const Lesson &lesson = measured.lesson;
+    std::vector<ByteImage> slides;
+    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+        const LessonStep &step = lesson.steps[i];
+        slides.push_back(with_flag(fmt::format("{}: steps[{}]", lesson.name, i), [&] {
+            return show_picture(step.scene, slide_options(step), painters_of(session.renderer(), step.wireframe));
+        }));
+        write_output(out / fmt::format("{}-{:02}.png", lesson.name, i + 1), encode_png(slides.back()));
+    }
+    write_output(out / (lesson.name + ".html"), lesson_html(measured, slides, session.context().renderer()));
+}
+
+int run_lesson(const LessonFlags &flags, const CommonOptions &common) {
+    if (!common.settings.empty()) {
+        throw InputError("--set {}: a lesson brings its own scenes", common.settings.front());
+    }
+    const Assets assets = scene_assets(common);
+    const Words words = words_of_lessons(assets);
+    const std::vector<Lesson> lessons =
+        flags.lesson == "all" ? builtin_lessons(assets, words) : std::vector{open_lesson(flags.lesson, assets, words)};
+    if (!flags.out.empty()) {
+        make_folder(flags.out);
+    }
+    DrawingSession session(common);
+    const std::string renderer = session.context().renderer();
+    ProgressBar bar("lesson " + flags.lesson);
+    std::vector<MeasuredLesson> measured;
+    bool passed = true;
+    for (const Lesson &lesson : lessons) {
+        const LessonDraw draw = lessons_drawn_by(session.renderer());
+        measured.push_back({lesson, with_flag(lesson.name, [&] { return measure_lesson(lesson, draw); })});
+        passed = passed && measured.back().result.passed();
+        if (!flags.out.empty()) {
+            write_lesson(measured.back(), flags.out, session);
+        }
+        if (!flags.json && (flags.check || flags.out.empty())) {
+            print(lesson_table(measured.back()));
+        }
+        bar.report(static_cast<double>(measured.size()) / static_cast<double>(lessons.size()));
+    }
+    if (flags.json) {
+        print(lessons_json(measured, renderer));
+    }
+    for (const auto &[lesson, result] : measured) {
+        for (const std::string &claim : result.failed()) {
+            note(fmt::format("{}: a claim does not hold: {}", lesson.name, claim));
+        }
+    }
+    return passed ? 0 : 1;
+}
+
+} // namespace
+
+void add_lesson(CLI::App &app, CommonOptions &common, Run &run) {
+    CLI::App &command = *app.add_subcommand("lesson", "Measure the claims of a lesson, and write it as a page");
+    const auto flags = std::make_shared<LessonFlags>();
+    add_value(command, "NAME", "", flags->lesson, "Built-in lesson (see: list), path of a .json file, or all")
+        ->required();
+    command.add_flag("--check", flags->check, "Print every claim with what was measured (the default without --out)");
+    command.add_flag("--json", flags->json, "Print JSON instead");
+    add_value(command, "--out", "DIR", flags->out,
+              "Write NAME.html and a picture a step, NAME-01.png, ..., into this folder");
+    command.footer(
+        "Every claim is measured on the spot; exit code 1 if one does not hold. Run times are shown, never checked.\n"
+        "A lesson is a JSON file (assets/lesson.schema.json describes it to editors), such as\n"
+        "  {\"title\": \"Gates\", \"steps\": [\n"
+        "    {\"title\": \"No test\", \"text\": \"Without a test, highlights shine from behind.\",\n"
+        "     \"scene\": \"spot-light\", \"left\": \"per-pixel/phong:gate=none\", \"right\": \"per-pixel/phong\",\n"
+        "     \"claims\": [{\"metric\": \"max_abs\", \"of\": \"left\", \"against\": \"right\", \"above\": 0.1}]}]}\n"
+        "A step without a claim that is checked is refused, unless it says \"asserts\": false.");
+    run_when_chosen(command, common, run, flags, run_lesson);
+}
+
+} // namespace sandbox

@@ -1,0 +1,327 @@
+#include "teach/claims.h"
+
+#include "measure/report/text.h"
+#include "scene/mesh_factor.h"
+#include "shading/prepared_object.h"
+#include "shading/program_source.h"
+#include "teach/pictures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <sstream>
+#include <utility>
+
+namespace sandbox {
+namespace {
+
+using Kind = PictureSource::Kind;
+
+constexpr int timed_frames = 7;
+
+std::string name_of(const PictureSource &source) {
+    constexpr std::array<std::string_view, 6> names{
+        "A", "B", "the truth", "the true surface", "its twin in double", "the textbook's float32"};
+    return source.kind == Kind::technique ? title_of(source.technique)
+           : source.kind == Kind::color
+               ? fmt::format("the colour ({:g}, {:g}, {:g})", source.color.x, source.color.y, source.color.z)
+               : std::string(names[static_cast<std::size_t>(source.kind)]);
+}
+
+struct NamedMetric {
+    std::string meaning;
+    std::string_view unit;
+};
+NamedMetric metric_of(std::string_view name) {
+    NamedMetric found;
+    for_each_metric(Metrics{}, [&](const auto &row, const auto &) {
+        if (row.name == name) {
+            found = {std::string(row.meaning), row.unit};
+        }
+    });
+    for (const ClaimMetric &row : claim_metric_rows) {
+        if (row.name == name) {
+            found = {std::string(row.meaning), row.unit};
+        }
+    }
+    return found;
+}
+
+/// The code of a GLSL text: without comments and empty lines.
+std::string code_of(const std::string &glsl) {
+    std::istringstream lines(glsl);
+    std::string code;
+    for (std::string line; std::getline(lines, line);) {
+        line.resize(std::min(line.size(), line.find("//")));
+        line.resize(line.find_last_not_of(" \t\r") + 1);
+        code += line.empty() ? "" : line + "\n";
+    }
+    return code;
+}
+
+bool in_a_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+/// Is `word` in the code, and no part of a longer word?
+bool holds(const std::string &code, const std::string &word) {
+    for (std::size_t at = code.find(word); at != std::string::npos; at = code.find(word, at + 1)) {
+        const bool begins = at == 0 || !in_a_word(word.front()) || !in_a_word(code[at - 1]);
+        const std::size_t end = at + word.size();
+        const bool ends = end == code.size() || !in_a_word(word.back()) || !in_a_word(code[end]);
+        if (begins && ends) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// One claim's measurement.
+class Measurement {
+  public:
+    Measurement(const LessonStep &step, const LessonClaim &claim, const LessonDraw &draw, PictureShelf &shelf)
+        : step_(step), claim_(claim), draw_(draw), shelf_(shelf) {}
+
+    /// The code of every object's program.
+    [[nodiscard]] std::string code(const PictureSource &of) const {
+        const Technique technique = technique_of(of, step_, *step_.left);
+        std::string all;
+        for (const PreparedObject &object : prepare_objects(claim_.scene, technique, draw_.load(claim_.scene))) {
+            const ProgramSource program = assemble(object.program, *draw_.parts);
+            all += claim_.stage != "fragment" ? code_of(program.vertex.text) : "";
+            all += claim_.stage != "vertex" ? code_of(program.fragment.text) : "";
+        }
+        return all;
+    }
+
+    [[nodiscard]] double value(const PictureSource &of) const {
+        if (claim_.metric == lines_metric) {
+            const std::string text = code(of);
+            return static_cast<double>(std::ranges::count(text, '\n'));
+        }
+        if (claim_.motion) {
+            return largest_change(of);
+        }
+        return claim_.meshes.empty() ? figure(of, 1) : order(of);
+    }
+
+    /// Of two pictures in turns, so that both meet the same machine.
+    [[nodiscard]] std::pair<double, double> run_times(const PictureSource &of, const PictureSource &than) const {
+        std::vector<double> first, second;
+        for (int i = 0; i < timed_frames; ++i) {
+            first.push_back(drawn_in(of));
+            second.push_back(drawn_in(than));
+        }
+        const auto median = [](std::vector<double> &times) {
+            std::ranges::nth_element(times, times.begin() + timed_frames / 2);
+            return times[timed_frames / 2];
+        };
+        return {median(first), median(second)};
+    }
+
+  private:
+    const LessonStep &step_;
+    const LessonClaim &claim_;
+    const LessonDraw &draw_;
+    PictureShelf &shelf_;
+
+    [[nodiscard]] double drawn_in(const PictureSource &of) const {
+        const Scene scene = with_mesh_factor(claim_.scene, mesh_factor_of(of, step_, of));
+        return draw_.picture(scene, technique_of(of, step_, *step_.left), claim_.size).milliseconds;
+    }
+    [[nodiscard]] Picture picture(const PictureSource &source, const PictureSource &other, const Technique &judged,
+                                  const Scene &scene, double factor) const {
+        const Scene meshed = with_mesh_factor(scene, mesh_factor_of(source, step_, other) * factor);
+        const Technique technique = technique_of(source, step_, judged);
+        return cropped(shelf_.picture(source, technique, meshed, claim_.size), claim_.region);
+    }
+    [[nodiscard]] PictureSource judge() const {
+        const bool alone = claim_.metric == brightest_metric || claim_.metric == "nonfinite_pixels";
+        return claim_.against.value_or(alone ? claim_.of : PictureSource{Kind::reference});
+    }
+    /// The metric of two pictures.
+    [[nodiscard]] double compared(const Picture &of, const Picture &against) const {
+        if (claim_.metric == bits_metric) {
+            return static_cast<double>(differing_bits(of, against));
+        }
+        double value = unmeasured;
+        const Metrics metrics = compare_pictures(of, against, claim_.metric == "flip" ? Flip::with : Flip::without);
+        for_each_metric(metrics, [&](const auto &row, const auto &measured) {
+            if (row.name == claim_.metric) {
+                value = row.value(measured).value_or(std::numeric_limits<double>::infinity()); // of psnr: the same
+            }
+        });
+        return value;
+    }
+    [[nodiscard]] double figure(const PictureSource &of, double factor) const {
+        const Technique technique = technique_of(of, step_, *step_.left);
+        const Picture own = picture(of, of, technique, claim_.scene, factor);
+        if (claim_.metric == brightest_metric) {
+            return brightest(own);
+        }
+        return compared(own, picture(judge(), of, technique, claim_.against_scene, factor));
+    }
+    /// The slope of log(figure) over log(1 / mesh factor), least squares.
+    [[nodiscard]] double order(const PictureSource &of) const {
+        double x_sum = 0, y_sum = 0, xx = 0, xy = 0;
+        for (const double factor : claim_.meshes) {
+            const double x = -std::log(factor), y = std::log(figure(of, factor));
+            x_sum += x, y_sum += y, xx += x * x, xy += x * y;
+        }
+        const auto n = static_cast<double>(claim_.meshes.size());
+        return (n * xy - x_sum * y_sum) / (n * xx - x_sum * x_sum);
+    }
+    [[nodiscard]] double largest_change(const PictureSource &of) const {
+        const Technique technique = technique_of(of, step_, *step_.left);
+        double largest = 0;
+        Picture last = picture(of, of, technique, moved(claim_.scene, *claim_.motion, 0), 1);
+        for (int moment = 1; moment < moments_of(*claim_.motion); ++moment) {
+            Picture now = picture(of, of, technique, moved(claim_.scene, *claim_.motion, moment), 1);
+            largest = std::max(largest, compared(now, last));
+            last = std::move(now);
+        }
+        return largest;
+    }
+};
+
+std::string list_of(const std::vector<std::string> &words) { return fmt::format("{}", fmt::join(words, ", ")); }
+std::string settings_text(const std::vector<std::string> &settings) {
+    const std::string list = list_of(settings);
+    return list.size() <= 70 ? list : fmt::format("{} settings", settings.size());
+}
+
+/// The claim in the words of its metric.
+std::string said(const LessonClaim &claim) {
+    const std::string of = name_of(claim.of);
+    if (claim.metric.empty()) {
+        const std::string both = claim.has.empty() || claim.lacks.empty() ? "" : "; ";
+        return fmt::format("GLSL of {}{}: {}{}{}", of, claim.stage.empty() ? "" : ", " + claim.stage + " stage",
+                           claim.has.empty() ? "" : "has " + list_of(claim.has), both,
+                           claim.lacks.empty() ? "" : "lacks " + list_of(claim.lacks));
+    }
+    std::string text = metric_of(claim.metric).meaning;
+    const bool alone = claim.metric == brightest_metric || claim.metric == lines_metric ||
+                       claim.metric == run_time_metric || (claim.metric == "nonfinite_pixels" && !claim.against);
+    if (claim.motion) {
+        text += fmt::format(" from one moment to the next, {}: {}", motion_words(*claim.motion), of);
+    } else {
+        text +=
+            ": " + of + (alone ? "" : " against " + name_of(claim.against.value_or(PictureSource{Kind::reference})));
+    }
+    text += claim.against_set.empty() ? "" : " with " + settings_text(claim.against_set);
+    text += claim.meshes.empty() ? "" : ", order over finer meshes";
+    text += claim.than ? ", over that of " + name_of(*claim.than) : "";
+    text += claim.set.empty() ? "" : "; with " + settings_text(claim.set);
+    return text + (claim.region ? ", in a part of the picture" : "");
+}
+
+void judge(const LessonClaim &claim, ClaimResult &result) {
+    const double value = result.value;
+    const auto settle = [&](bool passed, const std::string &bound) {
+        result.passed = passed && !std::isnan(value);
+        result.bound = bound;
+    };
+    if (claim.below) {
+        settle(value < *claim.below, "below " + short_number(*claim.below));
+    } else if (claim.above) {
+        settle(value > *claim.above, "above " + short_number(*claim.above));
+    } else if (claim.equals) {
+        settle(value == *claim.equals, "exactly " + short_number(*claim.equals));
+    } else if (claim.about) {
+        settle(value >= *claim.about / claim.within && value <= *claim.about * claim.within,
+               fmt::format("{} within a factor of {:g}", short_number(*claim.about), claim.within));
+    }
+}
+
+ClaimResult measure_words(const LessonClaim &claim, const Measurement &measurement) {
+    const std::string code = measurement.code(claim.of);
+    ClaimResult result;
+    std::vector<std::string> wrong;
+    for (const bool wanted : {true, false}) {
+        for (const std::string &word : wanted ? claim.has : claim.lacks) {
+            if (holds(code, word) != wanted) {
+                wrong.push_back((wanted ? "lacks " : "has ") + word);
+            }
+        }
+    }
+    result.value = static_cast<double>(wrong.size());
+    result.passed = wrong.empty();
+    result.measured = wrong.empty() ? "so it is" : list_of(wrong);
+    result.unit = "words";
+    return result;
+}
+
+ClaimResult measure_run_time(const LessonClaim &claim, const Measurement &measurement) {
+    const auto [first, second] = measurement.run_times(claim.of, claim.than.value_or(claim.of));
+    ClaimResult result;
+    result.checked = false;
+    result.value = claim.than ? first / second : first;
+    result.unit = claim.than ? "" : "ms";
+    result.measured = claim.than ? fmt::format("{} ms / {} ms = {:.2f}, on this machine, not checked",
+                                               milliseconds_text(first), milliseconds_text(second), result.value)
+                                 : milliseconds_text(first) + " ms, on this machine, not checked";
+    return result;
+}
+
+ClaimResult measure_metric(const LessonClaim &claim, const Measurement &measurement) {
+    ClaimResult result;
+    result.value = measurement.value(claim.of);
+    if (claim.than) {
+        result.value /= measurement.value(*claim.than);
+    }
+    result.unit = claim.than || !claim.meshes.empty() ? "" : metric_of(claim.metric).unit;
+    result.measured = short_number(result.value);
+    judge(claim, result);
+    return result;
+}
+
+} // namespace
+
+bool LessonClaim::checked() const { return metric != run_time_metric; }
+
+std::vector<std::string_view> claim_metrics() {
+    std::vector<std::string_view> names;
+    for_each_metric(Metrics{}, [&](const auto &row, const auto &) { names.push_back(row.name); });
+    for (const ClaimMetric &row : claim_metric_rows) {
+        names.push_back(row.name);
+    }
+    return names;
+}
+
+bool is_claim_metric(std::string_view name) {
+    const auto names = claim_metrics();
+    return std::ranges::find(names, name) != names.end();
+}
+
+std::vector<ClaimResult> measure_step(const LessonStep &step, const LessonDraw &draw) {
+    PictureShelf shelf(draw);
+    std::vector<ClaimResult> results;
+    for (const LessonClaim &claim : step.claims) {
+        const Measurement measurement(step, claim, draw, shelf);
+        results.push_back(claim.metric.empty()              ? measure_words(claim, measurement)
+                          : claim.metric == run_time_metric ? measure_run_time(claim, measurement)
+                                                            : measure_metric(claim, measurement));
+        results.back().what = claim.says.text.empty() ? said(claim) : claim.says.text;
+    }
+    return results;
+}
+
+std::vector<std::string> LessonResult::failed() const {
+    std::vector<std::string> words;
+    for (const auto &claims : steps) {
+        for (const ClaimResult &claim : claims) {
+            if (!claim.passed) {
+                words.push_back(claim.what);
+            }
+        }
+    }
+    return words;
+}
+
+LessonResult measure_lesson(const Lesson &lesson, const LessonDraw &draw) {
+    LessonResult result;
+    for (const LessonStep &step : lesson.steps) {
+        result.steps.push_back(measure_step(step, draw));
+    }
+    return result;
+}
+
+} // namespace sandbox

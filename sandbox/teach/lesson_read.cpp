@@ -1,0 +1,257 @@
+#include "teach/lesson_read.h"
+
+#include "image/file_io.h"
+#include "image/picture_size.h"
+#include "scene/scene_file.h"
+#include "scene/scene_setting.h"
+#include "scene/table_read.h"
+#include "teach/claims.h"
+#include "teach/lesson_format.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace sandbox {
+namespace fs = std::filesystem;
+namespace {
+
+using nlohmann::json;
+
+constexpr std::string_view lessons_folder = "lessons/";
+constexpr std::array<std::string_view, 2> languages{"en", "zh"};
+
+/// Runs `work`; what it says is wrong is said with the file and the key.
+template <typename Work> auto at(const std::string &place, Work work) -> decltype(work()) {
+    try {
+        return work();
+    } catch (const InputError &error) {
+        throw InputError("{}: {}", place, error.what());
+    }
+}
+
+class LessonReader : public TableReader<LessonReader, json> {
+  public:
+    LessonReader(const std::string &file, const Words &words) : TableReader(file), words_(words) {}
+
+  private:
+    friend TableReader<LessonReader, json>;
+    const Words &words_;
+
+    using TableReader::finish;
+    using TableReader::read;
+
+    void read(const json &json, const std::string &path, const Range &, Text &out) const {
+        expect(json.is_string() || (json.is_object() && !json.empty()), path,
+               "a text, \"@key\" or {\"en\": ..., \"zh\": ...}", json);
+        if (json.is_object()) {
+            out.text = in_language(json, path);
+        } else if (const auto &text = json.get_ref<const std::string &>(); text.starts_with('@')) {
+            out.text = at(name() + ": " + path, [&] { return words_.text(std::string_view(text).substr(1)); });
+        } else {
+            out.text = text;
+        }
+    }
+    [[nodiscard]] std::string in_language(const json &json, const std::string &path) const {
+        for (const auto &[key, text] : json.items()) {
+            if (std::ranges::find(languages, key) == languages.end()) {
+                refuse(below(path, key), "unknown language" + suggestion(key, languages));
+            }
+            expect(text.is_string(), below(path, key), "a string", text);
+        }
+        const auto own = json.find(words_.language());
+        return *(own != json.end() ? own : json.begin());
+    }
+    void read(const json &json, const std::string &path, const Range &, JsonText &out) const {
+        expect(json.is_string() || json.is_object(), path, "a name or an object", json);
+        out.json = json.dump();
+    }
+    void read(const json &json, const std::string &path, const Range &, Technique &out) const {
+        expect(json.is_string(), path, "a technique", json);
+        out = at(name() + ": " + path, [&] { return parse_technique(json.get<std::string>()); });
+    }
+    void read(const json &json, const std::string &path, const Range &, Size &out) const {
+        expect(json.is_string(), path, "a size such as \"320x240\"", json);
+        out = at(name() + ": " + path, [&] { return parse_size(json.get<std::string>()); });
+    }
+    void read(const json &json, const std::string &path, const Range &, PictureSource &out) const {
+        if (json.is_array()) {
+            out.kind = PictureSource::Kind::color;
+            read(json, path, linear_rgb, out.color);
+            return;
+        }
+        expect(json.is_string(), path, "left, right, reference, analytic, twin, textbook, a technique or [r, g, b]",
+               json);
+        const auto &word = json.get_ref<const std::string &>();
+        const auto named = std::ranges::find(picture_words, word);
+        out.kind = static_cast<PictureSource::Kind>(named - picture_words.begin());
+        if (named == picture_words.end()) {
+            read(json, path, any, out.technique);
+            out.kind = PictureSource::Kind::technique;
+        }
+    }
+
+    void finish(const json &json, const std::string &path, LessonClaim &claim) const {
+        const auto refuse_claim = [&](const std::string &key, const std::string &what) {
+            refuse(json.contains(key) ? below(path, key) : path, what);
+        };
+        const bool words = json.contains("has") || json.contains("lacks");
+        if (words == json.contains("metric")) {
+            refuse_claim("metric", "expected metric, or has and lacks");
+        }
+        if (!words && !is_claim_metric(claim.metric)) {
+            refuse_claim("metric", fmt::format("unknown metric{}{}", got(json["metric"]),
+                                               suggestion(claim.metric, claim_metrics())));
+        }
+        if (!claim.stage.empty() && claim.stage != "vertex" && claim.stage != "fragment") {
+            refuse_claim("stage", R"(expected "vertex" or "fragment")" + got(json["stage"]));
+        }
+        const auto bounds = std::ranges::count_if(std::array{"below", "above", "equals", "about"},
+                                                  [&](const char *key) { return json.contains(key); });
+        if (bounds != (words || claim.metric == run_time_metric ? 0 : 1)) {
+            refuse(path, words                             ? "expected no bound beside has and lacks"
+                         : claim.metric == run_time_metric ? "expected no bound: a run time is shown, never checked"
+                                                           : "expected one of below, above, equals, about");
+        }
+        if (json.contains("about") != json.contains("within")) {
+            refuse(path, "expected about and within together");
+        }
+        if (json.contains("meshes") &&
+            (claim.meshes.size() < 2 || !std::ranges::is_sorted(claim.meshes, std::less_equal<>()))) {
+            refuse_claim("meshes", "expected two mesh factors or more, ascending" + got(json["meshes"]));
+        }
+        if (claim.region && !(claim.region->x < claim.region->z && claim.region->y < claim.region->w)) {
+            refuse_claim("region", "expected left < right and top < bottom" + got(json["region"]));
+        }
+        if (!claim.motion_json.json.empty()) {
+            claim.motion = parse_motion(claim.motion_json.json, fmt::format("{}: {}", name(), path));
+        }
+    }
+    void finish(const json &json, const std::string &path, LessonStep &step) const {
+        const bool checked = std::ranges::any_of(step.claims, &LessonClaim::checked);
+        if (step.asserts && !checked) {
+            refuse(below(path, "claims"), R"(expected a claim that is checked, or "asserts": false)");
+        }
+        (void)json;
+    }
+    void finish(const json &json, const std::string &path, Lesson &lesson) const {
+        expect(!lesson.steps.empty(), below(path, "steps"), "one step or more", json["steps"]);
+    }
+};
+
+/// What a step takes over from the step before it: its scene and its techniques.
+class Resolver {
+  public:
+    Resolver(std::string file, fs::path folder, const Assets &assets)
+        : file_(std::move(file)), folder_(std::move(folder)), assets_(assets) {}
+
+    void resolve(std::vector<LessonStep> &steps) const {
+        for (std::size_t i = 0; i < steps.size(); ++i) {
+            const std::string place = fmt::format("{}: steps[{}]", file_, i);
+            const LessonStep *last = i > 0 ? &steps[i - 1] : nullptr;
+            LessonStep &step = steps[i];
+            step.scene = scene(step, last, place);
+            for (const auto member : {&LessonStep::left, &LessonStep::right}) {
+                step.*member = step.*member ? step.*member : last != nullptr ? last->*member : Technique{};
+            }
+            for (std::size_t k = 0; k < step.claims.size(); ++k) {
+                resolve_claim(step, step.claims[k], fmt::format("{}.claims[{}]", place, k));
+            }
+        }
+    }
+
+  private:
+    std::string file_;
+    fs::path folder_;
+    const Assets &assets_;
+
+    [[nodiscard]] Scene scene(const LessonStep &step, const LessonStep *last, const std::string &place) const {
+        if (step.scene_json.json.empty() && last == nullptr) {
+            throw InputError("{}.scene: missing; expected a scene: there is no step before this one", place);
+        }
+        Scene scene = step.scene_json.json.empty() ? last->scene : opened(step.scene_json.json, place + ".scene");
+        if (!step.camera_json.json.empty()) {
+            const json camera = json::parse(step.camera_json.json);
+            const std::string setting = "camera=" + step.camera_json.json;
+            scene = camera.is_string()
+                        ? at(place + ".camera", [&] { return with_view(scene, camera.get<std::string>()); })
+                        : with_settings(scene, {&setting, 1}, place, folder_);
+        }
+        return step.set.empty() ? scene : with_settings(scene, step.set, place + ".set", folder_);
+    }
+    [[nodiscard]] Scene opened(const std::string &text, const std::string &place) const {
+        const json value = json::parse(text);
+        if (value.is_object()) {
+            return parse_scene(text, place, folder_);
+        }
+        const auto name = value.get<std::string>();
+        return at(place, [&] {
+            return open_scene(fs::path(name).has_extension() ? (folder_ / name).string() : name, assets_);
+        });
+    }
+    void resolve_claim(const LessonStep &step, LessonClaim &claim, const std::string &place) const {
+        const auto changed = [&](const Scene &scene, const std::vector<std::string> &set, const char *key) {
+            return set.empty() ? scene : with_settings(scene, set, place + key, folder_);
+        };
+        claim.scene = changed(step.scene, claim.set, ".set");
+        claim.against_scene = changed(claim.scene, claim.against_set, ".against_set");
+        if (claim.motion) {
+            at(place, [&] { return moved(claim.scene, *claim.motion, 0); }); // is there such a thing?
+        }
+    }
+};
+
+} // namespace
+
+Words words_of_lessons(const Assets &assets, const std::string &language) {
+    const std::string file = fmt::format("words/{}.json", language);
+    const auto text = assets.read(file);
+    return text ? Words(language, *text, file) : Words();
+}
+
+Lesson parse_lesson(std::string_view text, const fs::path &file, const fs::path &folder, const Assets &assets,
+                    const Words &words) {
+    json parsed;
+    try {
+        parsed = json::parse(text);
+    } catch (const json::exception &error) {
+        throw InputError("{}: expected JSON: {}", file.string(), error.what());
+    }
+    Lesson lesson;
+    LessonReader(file.string(), words).read_object(parsed, "", lesson, "$schema"); // which is for editors
+    lesson.name = file.stem().string();
+    Resolver(file.string(), folder, assets).resolve(lesson.steps);
+    return lesson;
+}
+
+std::vector<Lesson> builtin_lessons(const Assets &assets, const Words &words) {
+    const fs::path folder = assets.folder().empty() ? fs::path() : assets.folder() / lessons_folder;
+    std::vector<Lesson> lessons;
+    for (const std::string &path : assets.list(lessons_folder)) {
+        lessons.push_back(parse_lesson(assets.read(path).value_or(""), path, folder, assets, words));
+    }
+    std::ranges::stable_sort(lessons, {}, &Lesson::order);
+    return lessons;
+}
+
+Lesson open_lesson(const std::string &name_or_file, const Assets &assets, const Words &words) {
+    const fs::path path(name_or_file);
+    if (path.has_parent_path() || path.extension() == ".json") {
+        return parse_lesson(read_file(path), path, fs::absolute(path).parent_path(), assets, words);
+    }
+    const std::vector<Lesson> lessons = builtin_lessons(assets, words);
+    std::vector<std::string_view> names;
+    for (const Lesson &lesson : lessons) {
+        if (lesson.name == name_or_file) {
+            return lesson;
+        }
+        names.push_back(lesson.name);
+    }
+    const std::string_view nearest = nearest_word(name_or_file, names);
+    throw InputError("{}: no built-in lesson of that name{}", name_or_file,
+                     nearest.empty() ? " (see: shading-sandbox list)" : fmt::format("; did you mean \"{}\"?", nearest));
+}
+
+} // namespace sandbox

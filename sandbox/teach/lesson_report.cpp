@@ -1,0 +1,114 @@
+#include "teach/lesson_report.h"
+
+#include "image/png.h"
+#include "measure/report/html.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace sandbox {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// "0.312 linear colour (above 0.3)"
+std::string value_words(const ClaimResult &claim) {
+    std::string text = claim.measured;
+    text += claim.checked && !claim.unit.empty() && !claim.bound.empty() ? fmt::format(" {}", claim.unit) : "";
+    return text + (claim.bound.empty() ? "" : fmt::format(" ({})", claim.bound));
+}
+
+std::string claims_html(const std::vector<ClaimResult> &claims) {
+    html::Table table({"claim", "measured here", "claimed", ""});
+    for (const ClaimResult &claim : claims) {
+        table.begin_row();
+        table.text(html::escaped(claim.what));
+        table.text(html::escaped(claim.measured));
+        table.text(html::escaped(claim.bound));
+        table.text(!claim.checked ? "shown" : claim.passed ? "holds" : "does not hold", claim.passed ? "" : "bad");
+    }
+    return table.html();
+}
+
+std::string techniques_words(const LessonStep &step) {
+    const std::string left = html::technique_code(*step.left), right = html::technique_code(*step.right);
+    return step.layout == StepLayout::single ? left : fmt::format("A {}, B {}", left, right);
+}
+
+std::string step_html(std::size_t number, const LessonStep &step, const std::vector<ClaimResult> &claims,
+                      const ByteImage &picture) {
+    const std::string question =
+        step.question ? fmt::format("<details><summary>{}</summary><p>{}</p></details>\n",
+                                    html::escaped(step.question->asks.text), html::escaped(step.question->answer.text))
+                      : "";
+    return fmt::format(
+        "<section class=\"step\" id=\"step-{0}\"><h2>{0}. {1}</h2>\n"
+        "<figure><img alt=\"{1}\" src=\"data:image/png;base64,{2}\"><figcaption>{3}</figcaption></figure>\n"
+        "<p class=\"lead\">{4}</p>\n{5}{6}</section>\n",
+        number, html::escaped(step.title.text), html::base64(encode_png(picture)), techniques_words(step),
+        html::escaped(step.text.text), question, claims_html(claims));
+}
+
+} // namespace
+
+std::string lesson_table(const MeasuredLesson &measured) {
+    const auto &[lesson, result] = measured;
+    std::string out = fmt::format("{}: {}\n", lesson.name, lesson.title.text);
+    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+        out += fmt::format("  {}. {}\n", i + 1, lesson.steps[i].title.text);
+        for (const ClaimResult &claim : result.steps[i]) {
+            out += fmt::format("    {:<6} {}: {}\n",
+                               !claim.checked ? "shown"
+                               : claim.passed ? "ok"
+                                              : "FAILED",
+                               claim.what, value_words(claim));
+        }
+    }
+    return out;
+}
+
+std::string lessons_json(std::span<const MeasuredLesson> measured, const std::string &renderer) {
+    ordered_json lessons = ordered_json::array();
+    bool passed = true;
+    for (const auto &[lesson, result] : measured) {
+        ordered_json steps = ordered_json::array();
+        for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+            ordered_json claims = ordered_json::array();
+            for (const ClaimResult &claim : result.steps[i]) {
+                claims.push_back({{"what", claim.what},
+                                  {"value", claim.value},
+                                  {"measured", claim.measured},
+                                  {"bound", claim.bound},
+                                  {"unit", claim.unit},
+                                  {"checked", claim.checked},
+                                  {"passed", claim.passed}});
+            }
+            steps.push_back({{"title", lesson.steps[i].title.text}, {"claims", claims}});
+        }
+        passed = passed && result.passed();
+        lessons.push_back(
+            {{"name", lesson.name}, {"title", lesson.title.text}, {"passed", result.passed()}, {"steps", steps}});
+    }
+    const ordered_json all{{"format", "shading-sandbox lessons 1"},
+                           {"version", SANDBOX_VERSION},
+                           {"renderer", renderer},
+                           {"passed", passed},
+                           {"lessons", lessons}};
+    return all.dump(2) + "\n";
+}
+
+std::string lesson_html(const MeasuredLesson &measured, std::span<const ByteImage> pictures,
+                        const std::string &renderer) {
+    const auto &[lesson, result] = measured;
+    std::string body = fmt::format(
+        R"(<header><p class="kicker">Lesson</p><h1>{}</h1><p class="lead">{}</p><p class="facts">Every claim was )"
+        "measured when this page was made &middot; {} &middot; Shading Sandbox {}</p></header>\n",
+        html::escaped(lesson.title.text), html::escaped(lesson.about.text), html::escaped(renderer), SANDBOX_VERSION);
+    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+        body += step_html(i + 1, lesson.steps[i], result.steps[i], pictures[i]);
+    }
+    return html::page(lesson.title.text, body);
+}
+
+} // namespace sandbox
