@@ -86,6 +86,9 @@ int run_lesson(const LessonFlags &flags, const CommonOptions &common) {
         }
         bar.report(static_cast<double>(measured.size()) / static_cast<double>(lessons.size()));
     }
+    if (!flags.out.empty() && flags.lesson == "all") {
+        write_output(flags.out / "index.html", lessons_index(measured));
+    }
     if (flags.json) {
         print(lessons_json(measured, renderer));
     }
@@ -107,7 +110,7 @@ void add_lesson(CLI::App &app, CommonOptions &common, Run &run) {
     command.add_flag("--check", flags->check, "Print every claim with what was measured (the default without --out)");
     command.add_flag("--json", flags->json, "Print JSON instead");
     add_value(command, "--out", "DIR", flags->out,
-              "Write NAME.html and a picture a step, NAME-01.png, ..., into this folder");
+              "Write NAME.html and a picture a step, NAME-01.png, ..., into this folder; of all, index.html, too");
     command.footer(
         "Every claim is measured on the spot; exit code 1 if one does not hold. Run times are shown, never checked.\n"
         "A lesson is a JSON file (assets/lesson.schema.json describes it to editors), such as\n"

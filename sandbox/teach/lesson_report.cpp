@@ -43,11 +43,11 @@ std::string step_html(std::size_t number, const LessonStep &step, const std::vec
                                     html::escaped(step.question->asks.text), html::escaped(step.question->answer.text))
                       : "";
     return fmt::format(
-        "<section class=\"step\" id=\"step-{0}\"><h2>{0}. {1}</h2>\n"
-        "<figure><img alt=\"{1}\" src=\"data:image/png;base64,{2}\"><figcaption>{3}</figcaption></figure>\n"
-        "<p class=\"lead\">{4}</p>\n{5}{6}</section>\n",
-        number, html::escaped(step.title.text), html::base64(encode_png(picture)), techniques_words(step),
-        html::escaped(step.text.text), question, claims_html(claims));
+        "<section class=\"step\" id=\"step-{0}\"><h2>{0}. {1}</h2>\n<p class=\"lead\">{2}</p>\n"
+        "<figure><img alt=\"{1}\" src=\"data:image/png;base64,{3}\"><figcaption>{4}</figcaption></figure>\n"
+        "{5}{6}</section>\n",
+        number, html::escaped(step.title.text), html::escaped(step.text.text), html::base64(encode_png(picture)),
+        techniques_words(step), question, claims_html(claims));
 }
 
 } // namespace
@@ -109,6 +109,25 @@ std::string lesson_html(const MeasuredLesson &measured, std::span<const ByteImag
         body += step_html(i + 1, lesson.steps[i], result.steps[i], pictures[i]);
     }
     return html::page(lesson.title.text, body);
+}
+
+std::string lessons_index(std::span<const MeasuredLesson> measured) {
+    html::Table table({"lesson", "what it teaches", "steps", "claims", ""});
+    for (const auto &[lesson, result] : measured) {
+        std::size_t claims = 0;
+        for (const auto &step : result.steps) {
+            claims += step.size();
+        }
+        table.begin_row();
+        table.text(
+            fmt::format("<a href=\"{}.html\">{}</a>", html::escaped(lesson.name), html::escaped(lesson.title.text)));
+        table.text(html::escaped(lesson.about.text));
+        table.number(static_cast<double>(lesson.steps.size()), fmt::format("{}", lesson.steps.size()));
+        table.number(static_cast<double>(claims), fmt::format("{}", claims));
+        table.text(result.passed() ? "every claim holds" : "a claim does not hold", result.passed() ? "" : "bad");
+    }
+    return html::page("Lessons",
+                      "<header><p class=\"kicker\">Shading Sandbox</p><h1>Lessons</h1></header>\n" + table.html());
 }
 
 } // namespace sandbox

@@ -27,4 +27,7 @@ std::string lessons_json(std::span<const MeasuredLesson> measured, const std::st
 std::string lesson_html(const MeasuredLesson &measured, std::span<const ByteImage> pictures,
                         const std::string &renderer);
 
+/// A page that links to the pages NAME.html of all.
+std::string lessons_index(std::span<const MeasuredLesson> measured);
+
 } // namespace sandbox

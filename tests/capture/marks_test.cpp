@@ -32,6 +32,19 @@ TEST(CutPaste, WhatIsCutOutAndPutBackChangesNothing) {
     EXPECT_EQ(copy.rgb, picture.rgb);
 }
 
+TEST(Marks, ARingIsSeenOnDarkAndOnBright) {
+    ByteImage view = grey({400, 200});
+    draw_marks(view, {.pixel = {}, .profile = {}, .ring = glm::dvec3(0.5, 0.5, 0.25)}, {}, 10);
+    // Its middle line lies 50 pixels around (200, 100); white is 2 wide, black 2 more on each side.
+    for (const auto &[x, y] : {std::pair(249, 100), std::pair(150, 100), std::pair(200, 50), std::pair(200, 149)}) {
+        EXPECT_EQ(pixel(view, x, y), (std::array<int, 3>{255, 255, 255})) << x << "," << y;
+    }
+    EXPECT_EQ(pixel(view, 247, 100), (std::array<int, 3>{0, 0, 0}));
+    EXPECT_EQ(pixel(view, 252, 100), (std::array<int, 3>{0, 0, 0}));
+    EXPECT_EQ(pixel(view, 200, 100), untouched);
+    EXPECT_EQ(pixel(view, 260, 100), untouched);
+}
+
 /// An orthographic view two units high: an arrow across it is a quarter of its height long.
 TEST(Marks, ArrowsLieWhereTheirVectorsPoint) {
     Scene scene;

@@ -162,6 +162,7 @@ TEST_F(Claims, TheReportSaysWhatFailed) {
     EXPECT_EQ(json["lessons"][0]["steps"][0]["claims"][0]["value"], 0.25);
     const std::vector<ByteImage> pictures{{{1, 1}, {1, 2, 3}}};
     const std::string page = lesson_html(measured, pictures, "r");
+    EXPECT_NE(lessons_index({&measured, 1}).find("<a href=\"mine.html\">Mine &amp; yours</a>"), std::string::npos);
     for (const char *part : {"<title>Mine &amp; yours</title>", "<details><summary>Why?</summary><p>Because.</p>",
                              "src=\"data:image/png;base64,", "does not hold", "id=\"step-1\""}) {
         EXPECT_NE(page.find(part), std::string::npos) << part;

@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
@@ -163,6 +165,68 @@ TEST(BuiltInLessons, AreShortAndWhole) {
             EXPECT_LE(words_in(step.text.text), 60U) << lesson.name << ": " << step.title.text;
         }
     }
+}
+
+/// Every technique that a step or one of its claims draws.
+std::vector<Technique> techniques_of(const LessonStep &step) {
+    std::vector<Technique> all{*step.left, *step.right};
+    for (const LessonClaim &claim : step.claims) {
+        for (const auto &source : {std::optional(claim.of), claim.against, claim.than}) {
+            if (source && source->kind == PictureSource::Kind::technique) {
+                all.push_back(source->technique);
+            }
+        }
+    }
+    return all;
+}
+
+TEST(BuiltInLessons, MeasureEveryFault) {
+    std::set<std::string> measured;
+    for (const Lesson &lesson : builtin_lessons(assets, words_of_lessons(assets))) {
+        for (const LessonStep &step : lesson.steps) {
+            for (const Technique &technique : step.claims.empty() ? std::vector<Technique>{} : techniques_of(step)) {
+                for (const TechniqueKey &key : technique_settings) {
+                    measured.insert(fmt::format("{}={}", key.name, key.value(technique).name));
+                }
+            }
+        }
+    }
+    for (const TechniqueKey &key : technique_settings) {
+        for (const TechniqueValue &value : key.values) {
+            const std::string setting = fmt::format("{}={}", key.name, value.name);
+            EXPECT_TRUE(!key.is_fault() || measured.contains(setting)) << setting << " is in no lesson";
+        }
+    }
+}
+
+/// The texts stand in words/, for translators: no lesson holds its own, and no text is left over.
+TEST(BuiltInLessons, HoldKeysOfTexts) {
+    std::set<std::string> used, known;
+    for (const std::string &path : assets.list("lessons/")) {
+        const auto lesson = nlohmann::json::parse(*assets.read(path));
+        const auto take = [&](const nlohmann::json &from, std::initializer_list<const char *> keys) {
+            for (const char *key : keys) {
+                if (from.contains(key)) {
+                    const auto text = from[key].get<std::string>();
+                    EXPECT_TRUE(text.starts_with('@')) << path << ": " << text;
+                    used.insert(text.substr(1));
+                }
+            }
+        };
+        take(lesson, {"title", "about"});
+        for (const auto &step : lesson["steps"]) {
+            take(step, {"title", "text"});
+            take(step.value("question", nlohmann::json::object()), {"asks", "answer"});
+            for (const auto &claim : step.value("claims", nlohmann::json::array())) {
+                take(claim, {"says"});
+            }
+        }
+    }
+    const auto words = nlohmann::json::parse(*assets.read("words/en.json"));
+    for (const auto &[key, text] : words.items()) {
+        known.insert(key);
+    }
+    EXPECT_EQ(used, known);
 }
 
 } // namespace
