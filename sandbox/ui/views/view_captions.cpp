@@ -219,13 +219,16 @@ void draw_mask_legend(const Session &session, const ViewPainter &painter, const 
     const std::vector<LegendLine> lines = side == nullptr || !side->metrics || side->uses.empty()
                                               ? std::vector<LegendLine>{{{}, "masks: not measured yet"}}
                                               : mask_legend(*side->metrics);
-    const float line = ImGui::GetTextLineHeightWithSpacing();
-    const float em = ImGui::GetFontSize();
-    float width = 0;
+    float widest = 0;
     for (const auto &[color, text] : lines) {
-        width = std::max(width, ImGui::CalcTextSize(text.c_str()).x + (color ? em * 1.2F : 0));
+        widest = std::max(widest, ImGui::CalcTextSize(text.c_str()).x + (color ? ImGui::GetFontSize() * 1.2F : 0));
     }
-    const ImVec2 size{width + em, line * static_cast<float>(lines.size()) + em * 0.5F};
+    const float spacing = ImGui::GetTextLineHeightWithSpacing(), whole = ImGui::GetFontSize();
+    const float rows = static_cast<float>(lines.size());
+    const float fit = std::min({1.0F, picture.width() / (widest + whole), // smaller text where there is little room
+                                0.8F * picture.height() / (spacing * rows + whole * 0.5F)});
+    const float em = whole * fit, line = spacing * fit;
+    const ImVec2 size{widest * fit + em, line * rows + em * 0.5F};
     const float x = align_right ? picture.high.x - size.x : picture.low.x;
     float y = picture.high.y - size.y;
     ImDrawList &list = *ImGui::GetWindowDrawList();
@@ -238,7 +241,8 @@ void draw_mask_legend(const Session &session, const ViewPainter &painter, const 
             list.AddRectFilled({left, y + em * 0.15F}, {left + em * 0.8F, y + em * 0.95F},
                                IM_COL32((*color)[0], (*color)[1], (*color)[2], 255));
         }
-        list.AddText({color ? left + em * 1.2F : left, y}, IM_COL32(240, 240, 240, 255), text.c_str());
+        list.AddText(ImGui::GetFont(), em, {color ? left + em * 1.2F : left, y}, IM_COL32(240, 240, 240, 255),
+                     text.c_str());
         y += line;
     }
     list.PopClipRect();
