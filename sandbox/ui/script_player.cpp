@@ -360,7 +360,7 @@ void ScriptPlayer::random_action(unsigned dice) {
     }
     std::vector<std::string> names;
     for (const auto &[name, widget] : session.widgets.all()) {
-        if (widget.visible() && !name.ends_with("Export") && !name.ends_with("sequence") && name != "Capture" &&
+        if (widget.visible() && !name.ends_with("Export") && name.find("Capture") == std::string::npos &&
             !name.ends_with("captures") && !name.ends_with("quit")) {
             names.push_back(name);
         }
