@@ -160,8 +160,12 @@ TEST_F(FormulaProbes, CheckerColor) {
 }
 
 TEST_F(FormulaProbes, SrgbCurve) {
-    const std::string text = ShaderParts(Assets("shaders")).text("display_fragment.glsl");
-    const ShaderProbe probe(lines_between(text, "vec3 srgb_curve", "void main"), "result.rgb = srgb_curve(in0.xyz);");
+    std::string text;
+    for (const std::string &part : Assets("shaders").list("")) { // the one that holds it
+        const std::string own = ShaderParts(Assets("shaders")).text(part);
+        text = own.find("\nvec3 srgb_curve") != std::string::npos ? own : text;
+    }
+    const ShaderProbe probe(lines_between(text, "vec3 srgb_curve", "#endif"), "result.rgb = srgb_curve(in0.xyz);");
     std::vector<ProbeInput> inputs;
     for (int i = 0; i <= 3000; ++i) {
         const float x = static_cast<float>(i) / 3000;
