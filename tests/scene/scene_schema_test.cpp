@@ -1,6 +1,7 @@
 #include "image/image_file.h"
 #include "scene/scene_file.h"
 #include "scene/scene_schema.h"
+#include "tools/json_schema.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -23,99 +24,12 @@ TEST(SceneSchema, IsUpToDate) {
         << "assets/scene.schema.json anew, and say so in the CHANGELOG";
 }
 
-/// As much of JSON Schema (draft 7) as the schema uses; fails on a word it does not know.
-class Validator {
-  public:
-    explicit Validator(const Json &root) : root_(root) {}
-
-    [[nodiscard]] bool accepts(const Json &value) const { return accepts(root_, value); }
-
-  private:
-    const Json &root_;
-
-    [[nodiscard]] bool accepts(const Json &schema, const Json &value) const {
-        if (schema.is_boolean()) {
-            return schema.get<bool>();
-        }
-        return std::ranges::all_of(schema.items(),
-                                   [&](const auto &item) { return obeys(schema, item.key(), item.value(), value); });
-    }
-
-    [[nodiscard]] bool obeys(const Json &schema, const std::string &word, const Json &rule, const Json &value) const {
-        const auto accepted = [&](const Json &part) { return accepts(part, value); };
-        if (word == "$ref") {
-            return accepts(root_.at(Json::json_pointer(rule.get<std::string>().substr(1))), value);
-        }
-        if (word == "type") {
-            return has_type(value, rule);
-        }
-        if (word == "enum") {
-            return std::ranges::find(rule, value) != rule.end();
-        }
-        if (word == "const") {
-            return value == rule;
-        }
-        if (word == "anyOf") {
-            return std::ranges::any_of(rule, accepted);
-        }
-        if (word == "allOf") {
-            return std::ranges::all_of(rule, accepted);
-        }
-        if (word == "oneOf") {
-            return std::ranges::count_if(rule, accepted) == 1;
-        }
-        if (word == "if") {
-            const char *const branch = accepts(rule, value) ? "then" : "else";
-            return !schema.contains(branch) || accepts(schema.at(branch), value);
-        }
-        if (value.is_number() && (word == "minimum" || word == "maximum" || word == "exclusiveMinimum")) {
-            const double number = value.get<double>();
-            const double limit = rule.get<double>();
-            return word == "maximum" ? number <= limit : word == "minimum" ? number >= limit : number > limit;
-        }
-        if (value.is_array() && (word == "minItems" || word == "maxItems")) {
-            return word == "minItems" ? value.size() >= rule.get<std::size_t>()
-                                      : value.size() <= rule.get<std::size_t>();
-        }
-        if (word == "items") {
-            return !value.is_array() || std::ranges::all_of(value, [&](const Json &e) { return accepts(rule, e); });
-        }
-        if (value.is_object() && word == "required") {
-            return std::ranges::all_of(rule, [&](const Json &key) { return value.contains(key.get<std::string>()); });
-        }
-        if (value.is_object() && word == "properties") {
-            return std::ranges::all_of(value.items(), [&](const auto &item) {
-                return !rule.contains(item.key()) || accepts(rule.at(item.key()), item.value());
-            });
-        }
-        if (value.is_object() && word == "additionalProperties") {
-            return std::ranges::all_of(value.items(),
-                                       [&](const auto &item) { return schema.at("properties").contains(item.key()); });
-        }
-        static const std::vector<std::string> elsewhere{
-            "$schema",  "title",    "description", "default",    "definitions",
-            "then",     "else",     "minimum",     "maximum",    "exclusiveMinimum",
-            "minItems", "maxItems", "required",    "properties", "additionalProperties"};
-        EXPECT_NE(std::ranges::find(elsewhere, word), elsewhere.end()) << word;
-        return true;
-    }
-
-    static bool has_type(const Json &value, const std::string &type) {
-        return type == "object"    ? value.is_object()
-               : type == "array"   ? value.is_array()
-               : type == "string"  ? value.is_string()
-               : type == "boolean" ? value.is_boolean()
-               : type == "integer" ? value.is_number_integer()
-                                   : value.is_number();
-    }
-};
-
 TEST(SceneSchema, AcceptsTheBuiltInScenes) {
     const Json schema = Json::parse(scene_schema());
     const Assets assets("assets");
     for (const std::string &name : builtin_scenes(assets)) {
-        EXPECT_TRUE(Validator(schema).accepts(Json::parse(*assets.read("scenes/" + name + ".json")))) << name;
-        EXPECT_TRUE(Validator(schema).accepts(Json::parse(scene_text(open_scene(name, assets))))) << name;
+        EXPECT_TRUE(SchemaValidator(schema).accepts(Json::parse(*assets.read("scenes/" + name + ".json")))) << name;
+        EXPECT_TRUE(SchemaValidator(schema).accepts(Json::parse(scene_text(open_scene(name, assets))))) << name;
     }
 }
 
@@ -152,9 +66,9 @@ TEST(SceneSchema, RefusesWhatTheReaderRefuses) {
           R"({"objects": [{"mesh": {"shape": "box"}, "material": {"texture_repeat": [1, 0]}}]})",
           R"({"objects": [{"mesh": {"shape": "box"}, "material": {"texture_color_space": "sRGB"}}]})"}) {
         EXPECT_THROW(parse_scene(text, "a.json", {}), std::runtime_error) << text;
-        EXPECT_FALSE(Validator(schema).accepts(Json::parse(text))) << text;
+        EXPECT_FALSE(SchemaValidator(schema).accepts(Json::parse(text))) << text;
     }
-    EXPECT_TRUE(Validator(schema).accepts(Json::parse(
+    EXPECT_TRUE(SchemaValidator(schema).accepts(Json::parse(
         R"({"$schema": "x", "lights": [{"type": "spot", "position": [0, 0, 0], "direction": [0, 0, 1], "cutoff_degrees": 180}]})")));
 }
 

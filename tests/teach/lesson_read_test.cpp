@@ -4,6 +4,7 @@
 #include "scene/scene_file.h"
 #include "teach/lesson_format.h"
 #include "tools/error_of.h"
+#include "tools/json_schema.h"
 #include "tools/temporary_folder.h"
 
 #include <algorithm>
@@ -149,6 +150,20 @@ TEST(LessonSchema, IsUpToDate) {
     EXPECT_EQ(read_file(schema_file), lesson_schema())
         << "the lesson format has changed; run the tests once with SANDBOX_UPDATE_SCHEMA=1 to write "
         << "assets/lesson.schema.json anew, and say so in the CHANGELOG";
+}
+
+TEST(LessonSchema, AcceptsTheBuiltInLessonsAndRefusesOtherKeys) {
+    const auto schema = nlohmann::json::parse(lesson_schema());
+    for (const std::string &path : assets.list("lessons/")) {
+        EXPECT_TRUE(SchemaValidator(schema).accepts(nlohmann::json::parse(*assets.read(path)))) << path;
+    }
+    auto lesson = nlohmann::json::parse(lesson_of(step_of(R"("scene": "point-light")")));
+    EXPECT_TRUE(SchemaValidator(schema).accepts(lesson));
+    lesson["steps"][0]["claims"][0]["metric"] = "max_ab";
+    EXPECT_FALSE(SchemaValidator(schema).accepts(lesson));
+    lesson["steps"][0].erase("claims");
+    lesson["steps"][0]["txt"] = "x";
+    EXPECT_FALSE(SchemaValidator(schema).accepts(lesson));
 }
 
 std::size_t words_in(const std::string &text) {
