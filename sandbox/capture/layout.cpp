@@ -59,6 +59,14 @@ Layout parse_layout(std::string_view text) {
     return static_cast<Layout>(found - layout_names.begin());
 }
 
+Overlays on_surfaces(Overlays overlays, Layout layout) {
+    const bool shown = layout != Layout::difference;
+    return {.wireframe = overlays.wireframe,
+            .normals = shown && overlays.normals,
+            .vertices = shown && overlays.vertices,
+            .lights = false};
+}
+
 int split_column(Size picture, double share) { return static_cast<int>(std::floor(picture.width * share + 0.5)); }
 
 int columns_of(Layout layout) { return layout == Layout::three_up ? 3 : layout == Layout::side_by_side ? 2 : 1; }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "image/image.h"
+#include "scene/overlays.h"
 
 #include <span>
 #include <string_view>
@@ -23,6 +24,10 @@ int columns_of(Layout layout);
 /// The size of each view of a picture. Beside each other, each has its part of the width, and the first ones have the
 /// columns that are left over; in the other layouts each is as large as the picture.
 std::vector<Size> view_sizes(Layout layout, Size picture);
+
+/// Those that a view's picture itself holds. A difference is measured: it has the wireframe alone, the same on both
+/// sides.
+Overlays on_surfaces(Overlays overlays, Layout layout);
 
 /// The first column of the right view, if the left one has `share` of the width: rounded, halves up.
 int split_column(Size picture, double share = 0.5);

@@ -1,12 +1,12 @@
 #pragma once
 
+#include "capture/strokes.h"
 #include "image/image.h"
 #include "reference/reference.h"
+#include "scene/light_gizmos.h"
 #include "scene/scene.h"
 #include "shading/technique.h"
 
-#include <array>
-#include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -28,17 +28,27 @@ struct Marks {
 
 struct Arrow {
     glm::dvec2 from, to; ///< places
-    std::array<std::uint8_t, 3> color;
+    Rgb color;
     std::string name;
 };
 /// The vectors at a pixel as they lie in a view of `aspect` (width / height). `model` says whether R or H is shown.
 std::vector<Arrow> arrows_of(const Scene &scene, Model model, const PixelProbe &probe, double aspect);
+
+/// A light over a view.
+struct LightMark {
+    LightGizmo gizmo;
+    Rgb color;
+    std::string name; ///< empty if no other light is on
+};
+std::vector<LightMark> light_marks(const Scene &scene, double aspect);
+constexpr double lamp_radius = 0.4; ///< text heights
 
 constexpr int loupe_across = 21; ///< pixels, odd: the probed one is in the middle
 /// Is there more room for the loupe on the right of the pixel?
 bool loupe_on_the_right(const glm::dvec2 &pixel);
 
 /// Draws the marks over a view, their names in text of `em` pixels, by which the other sizes go.
-void draw_marks(ByteImage &view, const Marks &marks, const std::vector<Arrow> &arrows, double em);
+void draw_marks(ByteImage &view, const Marks &marks, const std::vector<Arrow> &arrows, double em,
+                const std::vector<LightMark> &lights = {});
 
 } // namespace sandbox

@@ -157,7 +157,7 @@ void draw_legends(ByteImage &picture, const std::vector<Metrics> &masked, const 
 /// Over the views, `rows` high, that begin at row `top`; names in text of `text` pixels.
 void mark_views(ByteImage &picture, const Scene &scene, const PictureOptions &options, const Painters &painters,
                 int top, int rows, double text) {
-    if (options.marks == Marks{}) {
+    if (options.marks == Marks{} && !options.drawn_over.lights) {
         return;
     }
     const Scene left_scene = with_mesh_factor(scene, options.mesh_factors[0]);
@@ -165,6 +165,7 @@ void mark_views(ByteImage &picture, const Scene &scene, const PictureOptions &op
     views.resize(static_cast<std::size_t>(columns_of(options.layout)));
     int left = 0;
     for (const Size &size : views) {
+        const double aspect = static_cast<double>(size.width) / size.height;
         std::vector<Arrow> arrows;
         if (const auto at = options.marks.pixel; at && options.marks.vectors) {
             const Technique truth = truth_of(options.left);
@@ -174,11 +175,12 @@ void mark_views(ByteImage &picture, const Scene &scene, const PictureOptions &op
             const auto probe =
                 painters.probe(left_scene, truth, size, place(at->x, size.width), place(at->y, size.height));
             if (probe) {
-                arrows = arrows_of(scene, truth.model, *probe, static_cast<double>(size.width) / size.height);
+                arrows = arrows_of(scene, truth.model, *probe, aspect);
             }
         }
         ByteImage view = cut(picture, left, top, size);
-        draw_marks(view, options.marks, arrows, text);
+        draw_marks(view, options.marks, arrows, text,
+                   options.drawn_over.lights ? light_marks(scene, aspect) : std::vector<LightMark>{});
         paste(picture, view, left, top);
         left += size.width;
     }

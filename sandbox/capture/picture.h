@@ -4,6 +4,7 @@
 #include "capture/marks.h"
 #include "capture/masks.h"
 #include "scene/mesh_factor.h"
+#include "scene/overlays.h"
 #include "scene/scene.h"
 #include "shading/technique.h"
 
@@ -21,7 +22,7 @@ using DrawView = std::function<Image(const Scene &, const Technique &, Size)>;
 using ProbeView = std::function<std::optional<PixelProbe>(const Scene &, const Technique &, Size, int x, int y)>;
 /// `textbook`: the view is textbook_picture().
 using JudgeView = std::function<JudgedView(const Scene &, const Technique &, Size, bool textbook)>;
-/// Who draws what. `draw` and `textbook` draw the wireframe, too, where the picture has one.
+/// Who draws what. `draw` and `textbook` draw the overlays on surfaces, too, that the picture has.
 struct Painters {
     DrawView draw;
     DrawView textbook; ///< textbook_picture()
@@ -63,7 +64,7 @@ struct PictureOptions {
     DifferenceOf difference_of = DifferenceOf::a_b;
     double divider = 0.5; ///< the left view's share of a wipe's width
     int samples = 1;      ///< a pixel of the views, for a PNG that is no difference
-    bool wireframe = false;
+    Overlays drawn_over;
     bool masks = false; ///< in a PNG of views, not of a difference; samples are 1 then
     bool labels = false;
     Marks marks;      ///< in a PNG

@@ -94,8 +94,10 @@ std::string sidecar_text(const Scene &scene, const PictureOptions &options, cons
     if (options.samples != 1) {
         out["samples"] = options.samples;
     }
-    if (options.wireframe) {
-        out["wireframe"] = true;
+    for (const OverlayKind &kind : overlay_kinds) {
+        if (options.drawn_over.*kind.on) {
+            out[std::string(kind.word)] = true;
+        }
     }
     if (options.masks) {
         out["masks"] = true;
@@ -158,7 +160,9 @@ std::optional<PictureOptions> sidecar_options(std::string_view text, std::string
     read("samples", [&](const ordered_json &v) { options.samples = checked_samples(v.get<double>()); });
     read_value("vectors", options.marks.vectors);
     read_value("loupe", options.marks.loupe);
-    read_value("wireframe", options.wireframe);
+    for (const OverlayKind &kind : overlay_kinds) {
+        read_value(std::string(kind.word).c_str(), options.drawn_over.*kind.on);
+    }
     read_value("masks", options.masks);
     read_value("textbook_left", options.textbook_left);
     read_value("exposure", options.exposure);

@@ -40,7 +40,7 @@ struct CaptureFlags {
     std::optional<double> profile;
     bool vectors = false;
     bool loupe = false;
-    bool wireframe = false;
+    Overlays overlays;
     bool masks = false;
     bool labels = false;
     bool no_labels = false;
@@ -127,7 +127,13 @@ PictureOptions picture_options(const CaptureFlags &flags) {
     options.difference_of = flags.difference_of.value_or(options.difference_of);
     options.samples =
         flags.samples ? with_flag("--samples", [&] { return checked_samples(*flags.samples); }) : options.samples;
-    options.wireframe = options.wireframe || flags.wireframe;
+    for (const OverlayKind &kind : overlay_kinds) {
+        options.drawn_over.*kind.on = options.drawn_over.*kind.on || flags.overlays.*kind.on;
+    }
+    if (options.layout == Layout::difference && (flags.overlays.normals || flags.overlays.vertices)) {
+        throw InputError("--{}: a difference shows what is measured, and has the wireframe at most",
+                         flags.overlays.normals ? "normals" : "vertices");
+    }
     options.masks = options.masks || flags.masks;
     take_marks(options.marks, flags);
     const bool difference = options.layout == Layout::difference;
@@ -157,12 +163,17 @@ void refuse_display_flags(const CaptureFlags &flags) {
                                                            {flags.vectors, "--vectors"},
                                                            {flags.loupe, "--loupe"},
                                                            {flags.profile.has_value(), "--profile"},
-                                                           {flags.masks, "--masks"},
-                                                           {flags.wireframe, "--wireframe"}};
-    for (const auto &[given, flag] : display_flags) {
+                                                           {flags.masks, "--masks"}};
+    const auto refuse = [](bool given, std::string_view flag) {
         if (given) {
             throw InputError("{}: a .pfm holds the linear values unchanged; use a .png", flag);
         }
+    };
+    for (const auto &[given, flag] : display_flags) {
+        refuse(given, flag);
+    }
+    for (const OverlayKind &kind : overlay_kinds) {
+        refuse(flags.overlays.*kind.on, fmt::format("--{}", kind.word));
     }
 }
 
@@ -238,14 +249,14 @@ int run_capture(const CaptureFlags &flags, const CommonOptions &common) {
     const std::optional<Turntable> turn = motion ? std::optional<Turntable>{} : turntable(flags);
     options = grid ? cell_options(options, grid->techniques.front()) : options;
     options.labels = options.labels && !pfm;
-    options.wireframe = options.wireframe && !pfm;
+    options.drawn_over = pfm ? Overlays{} : options.drawn_over;
     options.masks = options.masks && !pfm;
     options.samples = pfm ? 1 : options.samples;
     const Scene scene = open_scene(common, flags.scene, flags.view);
 
     DrawingSession session(common);
     const DrawnBy by{session.context().renderer(), session.context().version()};
-    const Painters painters = painters_of(session.renderer(), options.wireframe);
+    const Painters painters = painters_of(session.renderer(), on_surfaces(options.drawn_over, options.layout));
     const bool two_meshes = options.mesh_factors[0] != options.mesh_factors[1]; // never the same picture
     if (options.layout == Layout::single || options.textbook_left || two_meshes) {
         note_no_effect(scene, options.textbook_left || options.flip == FlipSide::b ? options.right : options.left);
@@ -313,7 +324,10 @@ void add_capture(CLI::App &app, CommonOptions &common, Run &run) {
                "as 1/4,4 [1]");
     add_value(command, "--samples", "N", flags->samples,
               "Sub-pixel samples of a PNG, for pictures to show: measured is 1 [1]");
-    command.add_flag("--wireframe", flags->wireframe, "Draw the triangles' edges over a PNG");
+    for (const OverlayKind &kind : overlay_kinds) {
+        command.add_flag(fmt::format("--{}", kind.word), flags->overlays.*kind.on,
+                         fmt::format("Draw over a PNG {}", kind.help));
+    }
     command.add_flag("--masks", flags->masks,
                      "In a PNG of views: which pixels error figures leave out, in colours with a legend");
     command.add_flag("--labels", flags->labels, "Write the techniques in a strip above the views");

@@ -35,7 +35,7 @@ PictureOptions slide_options(const LessonStep &step) {
     options.display = step.display;
     options.exposure = step.exposure;
     options.gain = step.gain;
-    options.wireframe = step.wireframe;
+    options.drawn_over.wireframe = step.wireframe;
     options.samples = options.layout == Layout::difference || step.wireframe ? 1 : slide_samples;
     options.labels = true;
     if (step.look) {
@@ -51,7 +51,8 @@ void write_lesson(const MeasuredLesson &measured, const std::filesystem::path &o
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
         const LessonStep &step = lesson.steps[i];
         slides.push_back(with_flag(fmt::format("{}: steps[{}]", lesson.name, i), [&] {
-            return show_picture(step.scene, slide_options(step), painters_of(session.renderer(), step.wireframe));
+            const PictureOptions options = slide_options(step);
+            return show_picture(step.scene, options, painters_of(session.renderer(), options.drawn_over));
         }));
         write_output(out / fmt::format("{}-{:02}.png", lesson.name, i + 1), encode_png(slides.back()));
     }

@@ -9,8 +9,9 @@ namespace sandbox {
 enum class DepthTest { on, off };
 
 /// The OpenGL state of one pass into a framebuffer: all of it, no blending, no scissor, no culling. A pass may change
-/// depth function, culling, winding, depth clamp, polygon mode and offset. At the end of the scope all of these are
-/// OpenGL's defaults again, also when something throws; nothing is asked of the driver, which would wait for it.
+/// blending, depth function and mask, culling, winding, depth clamp, polygon mode and offset. At the end of the scope
+/// all of these are OpenGL's defaults again, also when something throws; nothing is asked of the driver, which would
+/// wait for it.
 class PassState {
   public:
     /// `framebuffer` 0 is the window's own.

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 #include <glad/gl.h>
-#include <glm/geometric.hpp>
 
 #include <type_traits>
 #include <vector>
@@ -33,18 +32,6 @@ template <typename ValueAt> Buffer make_attribute(const Mesh &mesh, bool flat, c
     return make_filled(GL_ARRAY_BUFFER, values);
 }
 
-/// The face's own normal, turned to the side of its vertices' mean normal; that mean where the face has no area.
-glm::dvec3 face_normal(const Mesh &mesh, const glm::uvec3 &t) {
-    const auto &p = mesh.positions;
-    const glm::dvec3 mean = mesh.normals[t.x] + mesh.normals[t.y] + mesh.normals[t.z];
-    const glm::dvec3 normal = glm::cross(p[t.y] - p[t.x], p[t.z] - p[t.x]);
-    const double length = glm::length(normal);
-    if (length == 0) {
-        return mean;
-    }
-    return glm::dot(normal, mean) < 0 ? -normal / length : normal / length;
-}
-
 } // namespace
 
 VertexArray MeshBuffers::make_array(const VertexAttributes &attributes) {
@@ -65,7 +52,7 @@ VertexArray MeshBuffers::make_array(const VertexAttributes &attributes) {
            [&](const glm::uvec3 &, unsigned v) { return glm::vec3(mesh.positions[v] - origin_); });
     if (attributes.normal) {
         attach(1, buffers.normals, [&](const glm::uvec3 &t, unsigned v) {
-            return glm::vec3(flat ? face_normal(mesh, t) : mesh.normals[v]);
+            return glm::vec3(flat ? facet_normal(mesh, t) : mesh.normals[v]);
         });
     }
     if (attributes.uv) {
@@ -100,6 +87,20 @@ void MeshBuffers::draw(const VertexAttributes &attributes) {
         glDrawElements(GL_TRIANGLES, corners, GL_UNSIGNED_INT, nullptr);
     }
     glBindVertexArray(0);
+}
+
+const std::vector<MarkedVertex> &MeshBuffers::marked(bool flat, const glm::dvec3 &scale, double apart) {
+    for (const Marked &made : marked_) {
+        if (made.flat == flat && made.scale == scale && made.apart == apart) {
+            return made.vertices;
+        }
+    }
+    constexpr std::size_t most = 8; // sides, objects of one mesh, normals and vertices
+    if (marked_.size() == most) {
+        marked_.pop_front();
+    }
+    return marked_.emplace_back(Marked{flat, scale, apart, thinned_out(marked_vertices(*given_, flat), scale, apart)})
+        .vertices;
 }
 
 } // namespace sandbox

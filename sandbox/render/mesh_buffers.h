@@ -3,9 +3,12 @@
 #include "render/gl_object.h"
 #include "scene/near_uvs.h"
 #include "shading/needs.h"
+#include "shading/vertex_marks.h"
 
+#include <deque>
 #include <map>
 #include <memory>
+#include <vector>
 
 namespace sandbox {
 
@@ -20,6 +23,8 @@ class MeshBuffers {
     [[nodiscard]] bool unused() const { return given_.use_count() <= (mesh_ == given_ ? 3 : 2); }
     /// Draws all triangles with the program and framebuffer in use.
     void draw(const VertexAttributes &attributes);
+    /// What is marked of the mesh as given: see marked_vertices() and thinned_out().
+    const std::vector<MarkedVertex> &marked(bool flat, const glm::dvec3 &scale, double apart);
 
   private:
     struct Arrangement { ///< shared (indexed) or flat vertices
@@ -31,6 +36,13 @@ class MeshBuffers {
     glm::dvec3 origin_;
     Arrangement shared_, flat_;
     std::map<VertexAttributes, VertexArray> arrays_;
+    struct Marked {
+        bool flat;
+        glm::dvec3 scale;
+        double apart;
+        std::vector<MarkedVertex> vertices;
+    };
+    std::deque<Marked> marked_; ///< the latest
 };
 
 } // namespace sandbox

@@ -41,15 +41,14 @@ bool ProgramCache::has(const Features &features) const {
     return found != entries_.end() && found->second.program != nullptr && !found->second.stale;
 }
 
-const GlProgram &ProgramCache::wireframe(bool deep) {
-    auto found = wireframes_.find(deep);
-    if (found == wireframes_.end()) {
+const GlProgram &ProgramCache::overlay(const std::string &name, bool deep) {
+    auto found = overlays_.find({name, deep});
+    if (found == overlays_.end()) {
         TemplateValues values;
         values.flags["deep"] = deep;
-        found = wireframes_
-                    .emplace(deep, ProgramSource{expand(parts_, "wireframe_vertex.glsl", values),
-                                                 expand(parts_, "wireframe_fragment.glsl", values)})
-                    .first;
+        const ProgramSource source{expand(parts_, name + "_vertex.glsl", values),
+                                   expand(parts_, name + "_fragment.glsl", values)};
+        found = overlays_.try_emplace({name, deep}, source).first;
     }
     return found->second;
 }

@@ -6,6 +6,8 @@
 
 #include <map>
 #include <memory>
+#include <string>
+#include <utility>
 
 namespace sandbox {
 
@@ -18,8 +20,8 @@ class ProgramCache {
     const GlProgram &get(const Features &features);
     /// Would get() return at once?
     [[nodiscard]] bool has(const Features &features) const;
-    /// One constant colour, for wireframes; `deep` as in Features.
-    const GlProgram &wireframe(bool deep);
+    /// One constant colour, of NAME_vertex.glsl and NAME_fragment.glsl: wireframe, segment. `deep` as in Features.
+    const GlProgram &overlay(const std::string &name, bool deep);
 
     /// After the parts changed: each program is built again when next needed, its last good one kept in case.
     void rebuild_all();
@@ -38,7 +40,7 @@ class ProgramCache {
 
     const ShaderParts &parts_;
     std::map<Features, Entry> entries_;
-    std::map<bool, GlProgram> wireframes_; ///< by `deep`
+    std::map<std::pair<std::string, bool>, GlProgram> overlays_; ///< by name and `deep`
     std::string error_;
     int built_ = 0;
     long uses_ = 0;

@@ -4,16 +4,21 @@
 #include "render/mesh_buffers.h"
 #include "render/program_cache.h"
 #include "render/seen_part.h"
+#include "render/segment_pass.h"
 #include "render/uniforms.h"
 #include "scene/space.h"
 #include "shading/prepared_object.h"
+#include "shading/vertex_marks.h"
 
 #include <glad/gl.h>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/trigonometric.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace sandbox {
 namespace {
@@ -61,6 +66,9 @@ void set_culling(const Camera &camera, const Object &object, const Mesh &mesh, d
     glFrontFace(is_mirrored(object.transform) ? GL_CW : GL_CCW);
     (back_faces_hidden(camera, aspect, object.transform, mesh) ? glEnable : glDisable)(GL_CULL_FACE);
 }
+
+/// Pixels of a picture 720 high, and as many more as one is higher.
+constexpr double normal_width = 2, vertex_width = 5;
 
 double aspect_of(Size size) { return static_cast<double>(size.width) / static_cast<double>(size.height); }
 double aspect_of(const Target &target) { return aspect_of(target.size()); }
@@ -138,8 +146,48 @@ struct Renderer::Impl {
     ProgramCache programs;
     std::map<std::shared_ptr<const Mesh>, MeshBuffers> meshes;
     std::map<std::shared_ptr<const Image>, Texture> textures;
+    /// Normals, or else vertices, over what the target shows.
+    void draw_marks(const Scene &scene, const Technique &technique, bool normals, const glm::vec3 &color,
+                    Target &target);
+
     std::unique_ptr<Target> own_target;
+    std::optional<SegmentPass> segments;
 };
+
+void Renderer::Impl::draw_marks(const Scene &scene, const Technique &technique, bool normals, const glm::vec3 &color,
+                                Target &target) {
+    const auto loaded = resources.load(scene);
+    const bool deep = is_deep(scene, loaded);
+    const Size size = target.size();
+    const double width = (normals ? normal_width : vertex_width) * std::max(1.0, size.height / 720.0);
+    const double apart = rounded_length(scene.camera, normals ? normals_apart : vertices_apart);
+    const bool flat = normals && technique.frequency == Frequency::flat;
+    const GlProgram &program = programs.overlay("segment", deep);
+    segments = segments ? std::move(segments) : std::optional<SegmentPass>(std::in_place);
+    const PassState pass(target.framebuffer(), size, DepthTest::on);
+    glDepthFunc(GL_LEQUAL);
+    glUseProgram(program.id());
+    program.set("line_color", color);
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const Object &object = scene.objects[i];
+        const EyeSpace space = eye_space(scene, object, *loaded[i].mesh);
+        const auto &vertices = buffers(loaded[i].mesh).marked(flat, object.transform.scale, apart);
+        std::vector<Segment> drawn;
+        for (const MarkLine &line :
+             normals ? normal_lines(vertices, scene, technique, object, space) : vertex_dots(vertices, scene, object)) {
+            const MarkLine before = lifted(line, scene.camera, width, size.height);
+            drawn.push_back({glm::vec3(before.from * space.scale), glm::vec3(before.to * space.scale)});
+        }
+        glm::dmat4 matrix = view_projection(scene.camera, aspect_of(target));
+        matrix[3] *= space.scale;
+        program.set("model_view_projection", glm::mat4(matrix));
+        if (deep) {
+            program.set("depth_per_octave", static_cast<float>(space.depth_per_octave));
+            program.set("depth_at_1", static_cast<float>(space.depth_at_1));
+        }
+        segments->draw(program, drawn, static_cast<float>(width / 2), target);
+    }
+}
 
 Renderer::Renderer(Assets assets, ShaderParts parts)
     : impl_(std::make_unique<Impl>(std::move(assets), std::move(parts))) {}
@@ -181,7 +229,7 @@ Frame Renderer::render(const Scene &scene, const Technique &technique, Size size
 void Renderer::draw_wireframe(const Scene &scene, Target &target, glm::vec3 color) {
     const auto resources = impl_->resources.load(scene);
     const bool deep = is_deep(scene, resources);
-    const GlProgram &program = impl_->programs.wireframe(deep);
+    const GlProgram &program = impl_->programs.overlay("wireframe", deep);
     const PassState pass(target.framebuffer(), target.size(), DepthTest::on);
     glDepthFunc(GL_LEQUAL);
     glEnable(GL_POLYGON_OFFSET_LINE); // no use where the program writes the depth: it lifts the lines itself
@@ -198,6 +246,19 @@ void Renderer::draw_wireframe(const Scene &scene, Target &target, glm::vec3 colo
             put_lifted_depth(program, space, scene.camera, target.size().height);
         }
         impl_->buffers(resources[i].mesh).draw({});
+    }
+}
+
+void Renderer::draw_overlays(const Scene &scene, const Technique &technique, const Overlays &overlays, Target &target) {
+    for (const OverlayKind &kind : overlay_kinds) {
+        if (!(overlays.*kind.on) || kind.on == &Overlays::lights) {
+            continue;
+        }
+        if (kind.on == &Overlays::wireframe) {
+            draw_wireframe(scene, target, kind.color);
+        } else {
+            impl_->draw_marks(scene, technique, kind.on == &Overlays::normals, kind.color, target);
+        }
     }
 }
 

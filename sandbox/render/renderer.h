@@ -2,6 +2,7 @@
 
 #include "image/image.h"
 #include "render/target.h"
+#include "scene/overlays.h"
 #include "scene/resources.h"
 #include "shading/features.h"
 #include "shading/parts.h"
@@ -37,7 +38,10 @@ class Renderer {
     /// draw + finish + read back, timed around draw and finish by the wall clock.
     Frame render(const Scene &scene, const Technique &technique, Size size, bool object_ids = false);
 
-    /// Wireframe over what `target` shows, in `color` (linear RGB).
+    /// Over what `target` shows, which hides it: those of the overlays on surfaces that are on. Normals are as
+    /// `technique` transforms them.
+    void draw_overlays(const Scene &scene, const Technique &technique, const Overlays &overlays, Target &target);
+    /// The wireframe alone, in `color` (linear RGB).
     void draw_wireframe(const Scene &scene, Target &target, glm::vec3 color);
 
     /// --shaders DIR: true if a part changed on disk since the last call; programs are then rebuilt when next needed.

@@ -46,24 +46,6 @@ void put_checker(Uploader &uploader, const Checker &checker, const Mesh &mesh, c
     uploader.put("checker_last", static_cast<float>(checker.cells - 1));
 }
 
-/// What the program multiplies vertex normals by.
-glm::dmat3 normal_matrix(const ObjectDraw &draw) {
-    const glm::dmat3 &right = draw.prepared.space.normals;
-    switch (draw.prepared.features.technique.normals) {
-    case Normals::unnormalized:
-        return linear_part(draw.object.transform);
-    case Normals::cofactor:
-        return -right; // only of mirrored objects
-    case Normals::view_space:
-        return world_to_view_axes(draw.scene.camera) * right;
-    case Normals::inverse_transpose:
-    case Normals::model_matrix:
-    case Normals::untransformed:
-        break;
-    }
-    return right;
-}
-
 /// From the eye through a pixel, as far as a depth of 1 along the view.
 void put_rays(Uploader &uploader, const ObjectDraw &draw) {
     const CameraAxes axes = camera_axes(draw.scene.camera);
@@ -94,7 +76,8 @@ void upload_uniforms(const GlProgram &program, const ObjectDraw &draw) {
     put_rays(uploader, draw);
     uploader.put("depth_per_octave", static_cast<float>(space.depth_per_octave));
     uploader.put("depth_at_1", static_cast<float>(space.depth_at_1));
-    uploader.put("normal_matrix", glm::mat3(normal_matrix(draw)));
+    uploader.put("normal_matrix",
+                 glm::mat3(normal_matrix(prepared.features.technique.normals, scene.camera, draw.object, space)));
     uploader.put("eye", glm::vec3(space.eye));
     uploader.put("view_direction", glm::vec3(-camera_axes(scene.camera).forward));
     uploader.put("shininess", static_cast<float>(raised_exponent(scene, prepared.features.technique.model, material)));

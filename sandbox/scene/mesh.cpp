@@ -65,4 +65,15 @@ Bounds bounds_of(const Mesh &mesh) {
     return bounds;
 }
 
+glm::dvec3 facet_normal(const Mesh &mesh, const glm::uvec3 &t) {
+    const auto &p = mesh.positions;
+    const glm::dvec3 mean = mesh.normals[t.x] + mesh.normals[t.y] + mesh.normals[t.z];
+    const glm::dvec3 normal = glm::cross(p[t.y] - p[t.x], p[t.z] - p[t.x]);
+    const double length = glm::length(normal);
+    if (length == 0) {
+        return mean;
+    }
+    return glm::dot(normal, mean) < 0 ? -normal / length : normal / length;
+}
+
 } // namespace sandbox

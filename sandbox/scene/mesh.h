@@ -40,6 +40,9 @@ double half_extent(const Mesh &mesh);
 
 Bounds bounds_of(const Mesh &mesh);
 
+/// The face's own normal, turned to the side of its vertices' mean normal; that mean where the face has no area.
+glm::dvec3 facet_normal(const Mesh &mesh, const glm::uvec3 &triangle);
+
 /// What to tell people of a mesh whose winding disagrees with its normals; empty: they agree.
 std::string winding_note(const Mesh &mesh);
 

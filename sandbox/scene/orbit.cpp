@@ -51,12 +51,6 @@ double kept_between_planes(const Camera &camera, double distance) {
     return std::clamp(distance, low, high);
 }
 
-/// Of what the picture shows there, world units.
-double height_at_target(const Camera &camera) {
-    const double distance = glm::length(camera.position - camera.target);
-    return is_orthographic(camera) ? camera.height : 2 * distance * std::tan(glm::radians(camera.fov_y_degrees) / 2);
-}
-
 } // namespace
 
 Camera orbit_camera(const Camera &camera, double degrees) {

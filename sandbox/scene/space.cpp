@@ -161,4 +161,17 @@ glm::dmat4 view_projection(const Camera &camera, double aspect) {
     return clip;
 }
 
+double view_height(const Camera &camera, double depth) {
+    return is_orthographic(camera) ? camera.height : 2 * depth * std::tan(glm::radians(camera.fov_y_degrees) / 2);
+}
+
+double height_at_target(const Camera &camera) {
+    return view_height(camera, glm::length(camera.position - camera.target));
+}
+
+std::optional<glm::dvec2> place_in_view(const Camera &camera, double aspect, const glm::dvec3 &from_eye) {
+    const glm::dvec4 clip = view_projection(camera, aspect) * glm::dvec4(from_eye, 1);
+    return clip.w > 0 ? std::optional(glm::dvec2(0.5 + clip.x / clip.w / 2, 0.5 - clip.y / clip.w / 2)) : std::nullopt;
+}
+
 } // namespace sandbox

@@ -5,6 +5,8 @@
 
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <optional>
 
 /// Where things are: the transforms that a scene file's numbers mean, in double.
 namespace sandbox {
@@ -38,5 +40,12 @@ glm::dmat3 world_to_view_axes(const Camera &camera);
 
 /// OpenGL's clip space (z in [-w, w]) from camera-relative world space: world position minus camera.position.
 glm::dmat4 view_projection(const Camera &camera, double aspect);
+
+/// World units that the picture's height shows so far along the view; of an orthographic camera everywhere the same.
+double view_height(const Camera &camera, double depth);
+double height_at_target(const Camera &camera);
+/// Where a point (world axes, the eye as the origin) lies in a view of `aspect` (width / height), as shares of its
+/// width and height from its upper left corner, also beyond its edges; none behind the eye.
+std::optional<glm::dvec2> place_in_view(const Camera &camera, double aspect, const glm::dvec3 &from_eye);
 
 } // namespace sandbox

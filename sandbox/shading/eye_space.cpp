@@ -76,6 +76,23 @@ Ball bounding_ball(const Object &object, const Mesh &mesh) {
 
 } // namespace
 
+glm::dmat3 normal_matrix(Normals normals, const Camera &camera, const Object &object, const EyeSpace &space) {
+    switch (normals) {
+    case Normals::inverse_transpose:
+        break;
+    case Normals::model_matrix:
+    case Normals::unnormalized:
+        return linear_part(object.transform);
+    case Normals::untransformed:
+        return glm::dmat3(1);
+    case Normals::cofactor:
+        return is_mirrored(object.transform) ? -space.normals : space.normals;
+    case Normals::view_space:
+        return world_to_view_axes(camera) * space.normals;
+    }
+    return space.normals;
+}
+
 glm::dvec3 buffer_origin(const Mesh &mesh) {
     const Bounds &bounds = mesh.bounds;
     const glm::dvec3 middle = 0.5 * (bounds.low + bounds.high);

@@ -42,6 +42,9 @@ struct EyeSpace {
 EyeSpace eye_space(const Scene &scene, const Object &object, const Mesh &mesh, const Technique &technique = {},
                    bool guarded = true);
 
+/// What programs multiply vertex normals by, and make unit unless they are unnormalized; the object's own space is 1.
+glm::dmat3 normal_matrix(Normals normals, const Camera &camera, const Object &object, const EyeSpace &space);
+
 /// The middle of a mesh that lies far from its own origin, else 0.
 glm::dvec3 buffer_origin(const Mesh &mesh);
 

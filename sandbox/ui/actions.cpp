@@ -58,7 +58,6 @@ void exchange_sides(Session &s) {
     std::swap(s.document.mesh_factors[0], s.document.mesh_factors[1]);
 }
 void reset_scene(Session &s) { s.document.scene = s.document.opened->scene; }
-void switch_wireframe(Session &s) { s.view.wireframe = !s.view.wireframe; }
 void switch_masks(Session &s) { s.view.masks = !s.view.masks; }
 void switch_loupe(Session &s) { s.view.loupe = !s.view.loupe; }
 bool shows_loupe(const Session &s) { return s.view.loupe; }
@@ -98,7 +97,6 @@ std::vector<Action> make_actions() {
         {edit, plain, GLFW_KEY_X, "X", "exchange A and B", "", exchange_sides},
         {edit, plain, no_key, "", "scene as opened", "", reset_scene},
         {edit, plain, GLFW_KEY_R, "R", "camera as opened", "", [](Session &s) { reset_camera(s.document); }},
-        {keys, plain, GLFW_KEY_W, "W", "wireframe", "", switch_wireframe},
         {keys, plain, GLFW_KEY_D, "D", "display linear or sRGB", "", switch_display},
         {edit, plain, GLFW_KEY_A, "A", "play the motion", "plays and pauses what the Motion tab names", play_or_pause,
          [](const Session &s) { return s.playback.playing; }},
@@ -124,6 +122,16 @@ std::vector<Action> make_actions() {
         {window, plain, no_key, "", "open the folder of captures", "", ask_for_folder},
         {window, control, GLFW_KEY_Q, "Ctrl+Q", "quit", "", [](Session &s) { s.requests.quit = true; }},
     };
+    for (const OverlayKind &kind : overlay_kinds) {
+        all.push_back({window,
+                       plain,
+                       kind.key,
+                       {kind.key},
+                       std::string(kind.title),
+                       std::string(kind.help),
+                       [on = kind.on](Session &s) { s.view.drawn_over.*on = !(s.view.drawn_over.*on); },
+                       [on = kind.on](const Session &s) { return s.view.drawn_over.*on; }});
+    }
     for (std::size_t tab = 0; tab < std::size(bottom_tabs); ++tab) {
         const BottomTab &row = bottom_tabs[tab];
         all.push_back({window,

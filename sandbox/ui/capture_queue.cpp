@@ -17,7 +17,7 @@ namespace {
 /// Returns the file's path. Throws InputError.
 std::string write_picture(const ShownPicture &picture, Renderer &renderer, const DrawnBy &by) {
     const auto path = std::filesystem::absolute(free_name(capture_folder(), picture.name));
-    const Painters painters = painters_of(renderer, picture.options.wireframe);
+    const Painters painters = painters_of(renderer, on_surfaces(picture.options.drawn_over, picture.options.layout));
     write_file(path, encode_png(show_picture(picture.scene, picture.options, painters)));
     write_file(sidecar_path(path), sidecar_text(picture.scene, picture.options, by));
     return path.string();

@@ -31,6 +31,7 @@ const HelpLine keyboard_help[] = {
 const HelpLine mouse_help[] = {
     {"", "Mouse"},
     {"drag", "orbit around the target"},
+    {"drag a light", "move it, or turn it by its tip or tail"},
     {"right drag", "move across the picture"},
     {"wheel", "closer, farther"},
     {"double click", "camera as opened"},
@@ -81,6 +82,7 @@ void draw_help_columns(float width) {
     for (int i = 0; i < (two ? 2 : 1); ++i) {
         ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, column);
     }
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 2}); // else 1280x720 is too low
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     for (std::size_t i = 0; i < lines.size(); ++i) {
@@ -89,6 +91,7 @@ void draw_help_columns(float width) {
         }
         draw_help(lines[i]);
     }
+    ImGui::PopStyleVar();
     ImGui::EndTable();
 }
 

@@ -65,7 +65,7 @@ void SideFinder::smooth(const ViewKeys &keys) {
         SmoothPictures pictures{keys, {}};
         for (std::size_t side = 0; side < keys.size(); ++side) {
             const ViewKey &key = keys[side];
-            const DrawView draw = painters_of(renderer, key.wireframe).draw;
+            const DrawView draw = painters_of(renderer, key.overlays).draw;
             try {
                 pictures.means[side] = std::make_shared<const Image>(
                     draw_samples(key.scene, key.size, samples_at_rest, [&](const Scene &shifted) {

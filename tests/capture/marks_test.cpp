@@ -120,5 +120,31 @@ TEST(Marks, TheyLieOverEveryViewAndInNoStrip) {
     }
 }
 
+TEST(Marks, LightsLieOverEveryView) {
+    Scene scene;
+    scene.camera.position = {0, 0, 8};
+    scene.lights.resize(2);
+    scene.lights[0].color = {1, 0, 0};
+    scene.lights[1].position = {0, 0, 9}; // behind the camera
+    PictureOptions options;
+    options.layout = Layout::side_by_side;
+    options.size = {400, 200};
+    const DrawView grey = [](const Scene &, const Technique &, Size size) {
+        return Image(size, glm::vec4(0.4F, 0.4F, 0.4F, 1));
+    };
+    const Painters painters{grey, grey, grey};
+    const ByteImage plain = show_picture(scene, options, painters);
+    options.drawn_over.lights = true;
+    const ByteImage marked = show_picture(scene, options, painters);
+    for (const int x : {100, 300}) {
+        EXPECT_EQ(pixel(marked, x, 100), (std::array<int, 3>{255, 90, 90}));
+        EXPECT_EQ(pixel(marked, x, 150), pixel(plain, x, 150));
+    }
+    scene.lights[1].position = {};
+    EXPECT_EQ(light_marks(scene, 1)[1].name, "light 2");
+    scene.lights[0].enabled = false;
+    EXPECT_EQ(light_marks(scene, 1)[0].name, "") << "no other is on";
+}
+
 } // namespace
 } // namespace sandbox

@@ -29,7 +29,7 @@ PictureOptions unusual() {
     options.exposure = 0.1;
     options.gain = 3.7;
     options.divider = 0.3125;
-    options.wireframe = true;
+    options.drawn_over = {.wireframe = true, .normals = false, .vertices = true, .lights = true};
     options.masks = true;
     options.labels = true;
     options.mesh_factors = {0.25, 2};
@@ -92,6 +92,8 @@ TEST(Sidecar, AWrongValueIsRefusedByItsKey) {
                                                              {"divider", 1.5},
                                                              {"divider", "left"},
                                                              {"wireframe", 1},
+                                                             {"normals", "yes"},
+                                                             {"lights", 0},
                                                              {"flip", "a"},
                                                              {"difference_of", "a-truth"},
                                                              {"labels", "yes"}}) {

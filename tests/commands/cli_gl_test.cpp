@@ -49,6 +49,7 @@ TEST_F(CliGl, ASidecarMakesThePictureAgainBitForBit) {
         {"of-truth.png", with({"--layout", "difference", "--difference-of", "b-reference"})},
         {"marks.png", with({"--pixel", "0.4,0.6", "--vectors", "--loupe", "--profile", "0.3", "--labels"})},
         {"lines.png", with({"--layout", "three-up", "--wireframe", "--labels"})},
+        {"overlays.png", with({"--normals", "--vertices", "--lights", "--labels"})},
         {"samples.png", with({"--layout", "three-up", "--samples", "4"})},
         {"difference.pfm", with({"--layout", "difference"})}};
     for (const auto &[name, flags] : pictures) {

@@ -120,6 +120,12 @@ void add_buttons(Session &session) {
 void lights_panel(Session &session) {
     Scene &scene = session.document.scene;
     kind_switches(session);
+    for (const OverlayKind &kind : overlay_kinds) {
+        if (kind.on == &Overlays::lights) {
+            checkbox(session, std::string(kind.title), session.view.drawn_over.*kind.on,
+                     fmt::format("Draws {}, which the mouse drags ({}).", kind.help, kind.key));
+        }
+    }
     std::optional<std::size_t> removed;
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const ScopedName name(session, std::to_string(i + 1));

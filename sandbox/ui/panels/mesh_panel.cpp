@@ -115,7 +115,17 @@ void mesh_panel(Session &session) {
     const std::string triangles = triangles_text(session);
     ImGui::TextColored(quiet_text(), "%s", triangles.c_str());
     describe_item(session, "triangles", "", triangles);
-    checkbox(session, "wireframe", session.view.wireframe, "Draws the triangles' edges over both pictures (W).");
+    for (const OverlayKind &kind : overlay_kinds) {
+        if (kind.on == &Overlays::lights) {
+            continue; // the Lights panel has it
+        }
+        const std::string name(kind.title);
+        same_line_if_fits(kind.on == &Overlays::wireframe
+                              ? ImGui::GetWindowWidth()
+                              : ImGui::CalcTextSize(name.c_str()).x + ImGui::GetFrameHeight() * 1.4F);
+        checkbox(session, name, session.view.drawn_over.*kind.on,
+                 fmt::format("Draws over both pictures {} ({}).", kind.help, kind.key));
+    }
     heading("Transform");
     property_rows(session, object.transform, opened.transform);
 }

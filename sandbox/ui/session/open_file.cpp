@@ -24,7 +24,7 @@ void take_sidecar(OpenedFile &file, const PictureOptions &options) {
     file.left = options.left;
     file.textbook_left = options.textbook_left;
     file.mesh_factors = options.mesh_factors;
-    file.wireframe = options.wireframe;
+    file.drawn_over = options.drawn_over;
     file.masks = options.masks;
     file.marks = options.marks;
     if (options.layout != Layout::single || options.flip != FlipSide::none) {
@@ -102,7 +102,7 @@ Document document_from(const OpenedFile &file, const Session &session) {
 void take_view(ViewSettings &view, const OpenedFile &file) {
     view.layout = file.layout.value_or(view.layout);
     view.divider = static_cast<float>(file.divider.value_or(static_cast<double>(view.divider)));
-    view.wireframe = file.wireframe.value_or(view.wireframe);
+    view.drawn_over = file.drawn_over.value_or(view.drawn_over);
     view.masks = file.masks.value_or(view.masks);
     if (file.marks) {
         view.pinned_pixel = file.marks->pixel;

@@ -3,6 +3,7 @@
 #include "capture/marks.h"
 #include "scene/assets.h"
 #include "scene/mesh_factor.h"
+#include "scene/overlays.h"
 #include "ui/session/session.h"
 
 #include <filesystem>
@@ -23,7 +24,8 @@ struct OpenedFile {
     std::optional<double> exposure;
     std::optional<Layout> layout;
     std::optional<double> divider; ///< of a wipe
-    std::optional<bool> wireframe, masks;
+    std::optional<Overlays> drawn_over;
+    std::optional<bool> masks;
     std::optional<Marks> marks;
     std::optional<double> gain; ///< of a difference, as is:
     std::optional<DifferenceOf> difference_of;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "capture/layout.h"
+#include "scene/light_gizmos.h"
+#include "scene/overlays.h"
 #include "ui/session/document.h"
 #include "ui/session/history.h"
 #include "ui/session/pixel_findings.h"
@@ -20,6 +22,13 @@ namespace sandbox {
 /// What the open tab draws over the pictures.
 enum class Overlay { none, pixel, profile };
 
+/// A light that the mouse drags.
+struct LightDrag {
+    std::size_t light;
+    LightHandle handle;
+    Scene scene; ///< as seen when the drag began
+};
+
 /// How the two pictures are shown. Not part of the document: undo leaves it alone.
 struct ViewSettings {
     Layout layout = Layout::side_by_side; ///< single: A, or B while Space is held ("flip")
@@ -27,12 +36,13 @@ struct ViewSettings {
     bool show_right = false;              ///< single: B
     double gain = 4;                      ///< difference
     DifferenceOf difference_of = DifferenceOf::a_b;
-    bool wireframe = false;
+    Overlays drawn_over;
     bool masks = false; ///< shows which pixels error figures leave out
     bool loupe = false; ///< magnifies the probed pixel and its neighbours in every picture
     /// Shares of a picture's width and height, from its upper left corner: the pixel under the mouse, and the one that
     /// a click has pinned.
     std::optional<glm::dvec2> hovered_pixel, pinned_pixel;
+    std::optional<LightDrag> light_drag;
     Overlay overlay = Overlay::none;
     double profile_row = 0.5; ///< the line of the profile, as a share of the height
     [[nodiscard]] std::optional<glm::dvec2> probed() const { return pinned_pixel ? pinned_pixel : hovered_pixel; }

@@ -70,7 +70,7 @@ PictureOptions picture_options(const Session &session, Size each) {
     options.gain = session.view.gain;
     options.difference_of = session.view.difference_of;
     options.samples = samples_shown(session);
-    options.wireframe = session.view.wireframe;
+    options.drawn_over = session.view.drawn_over;
     options.masks = session.view.masks && options.layout != Layout::difference;
     options.divider = static_cast<double>(session.view.divider);
     options.labels = true;

@@ -112,9 +112,11 @@ void MotionTab::capture(Session &session, ViewPainter &painter) {
         options.samples = 1; // as it plays
         const auto folder =
             std::filesystem::absolute(new_folder(capture_folder(), session.document.opened->name + "-motion"));
-        sequence_job_ = start_sequence(
-            supplies_, scene_in_view(session.document, each), session.playback.motion, options, folder,
-            [wireframe = options.wireframe](Renderer &renderer) { return painters_of(renderer, wireframe); });
+        sequence_job_ =
+            start_sequence(supplies_, scene_in_view(session.document, each), session.playback.motion, options, folder,
+                           [overlays = on_surfaces(options.drawn_over, options.layout)](Renderer &renderer) {
+                               return painters_of(renderer, overlays);
+                           });
     });
 }
 
@@ -136,9 +138,10 @@ void MotionTab::capture_sweep(Session &session, ViewPainter &painter) {
         const int width = std::min(each.width, widest / static_cast<int>(grid.sweep.values.size()));
         options.size = {width, std::max(1, each.height * width / std::max(each.width, 1))};
         const auto path = std::filesystem::absolute(free_name(capture_folder(), document.opened->name + "-sweep"));
-        sequence_job_ = start_sweep(
-            supplies_, scene_in_view(document, each), grid, options, path,
-            [wireframe = options.wireframe](Renderer &renderer) { return painters_of(renderer, wireframe); });
+        sequence_job_ = start_sweep(supplies_, scene_in_view(document, each), grid, options, path,
+                                    [overlays = on_surfaces(options.drawn_over, Layout::single)](Renderer &renderer) {
+                                        return painters_of(renderer, overlays);
+                                    });
     });
 }
 

@@ -8,28 +8,29 @@
 
 namespace sandbox {
 
-Painters painters_of(Renderer &renderer, bool wireframe) {
+Painters painters_of(Renderer &renderer, const Overlays &overlays) {
     const auto resources = [&renderer](const Scene &scene) { return renderer.resources().load(scene); };
     const DrawView textbook = [resources](const Scene &scene, const Technique &technique, Size size) {
         return textbook_picture(scene, resources(scene), technique, size).color;
     };
     // Lines over what `picture` draws, hidden by the depth that the renderer draws.
-    const auto with_lines = [&renderer](const DrawView &picture) {
-        return [&renderer, picture](const Scene &scene, const Technique &technique, Size size) {
+    const auto with_lines = [&renderer, overlays](const DrawView &picture) {
+        return [&renderer, overlays, picture](const Scene &scene, const Technique &technique, Size size) {
             Target target(size);
             renderer.draw(scene, technique, target);
             if (picture) {
                 target.write_color(picture(scene, technique, size));
             }
-            renderer.draw_wireframe(scene, target, wireframe_color);
+            renderer.draw_overlays(scene, technique, overlays, target);
             return target.read_color();
         };
     };
     const DrawView draw = [&renderer](const Scene &scene, const Technique &technique, Size size) {
         return renderer.render(scene, technique, size).color;
     };
-    return {.draw = wireframe ? DrawView(with_lines({})) : draw,
-            .textbook = wireframe ? DrawView(with_lines(textbook)) : textbook,
+    const bool lines = overlays != Overlays{};
+    return {.draw = lines ? DrawView(with_lines({})) : draw,
+            .textbook = lines ? DrawView(with_lines(textbook)) : textbook,
             .truth =
                 [resources](const Scene &scene, const Technique &technique, Size size) {
                     return to_frame(render_reference(scene, resources(scene), technique, size)).color;

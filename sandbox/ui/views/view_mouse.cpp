@@ -1,12 +1,17 @@
 #include "ui/views/view_mouse.h"
 
+#include "scene/light_kind.h"
 #include "scene/orbit.h"
 #include "ui/session/edits.h"
+#include "ui/views/light_handles.h"
 #include "ui/widgets/widgets.h"
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace sandbox {
 
@@ -24,10 +29,14 @@ bool near_profile(const Session &session, const Rect &rect) {
 }
 
 /// What a drag does depends on where it began.
-enum class Drag { none, orbit, pan, divider, profile };
+enum class Drag { none, orbit, pan, divider, profile, light };
 
-Drag begun_drag(const Session &session, const Rect &rect) {
+Drag begun_drag(Session &session, const Rect &rect) {
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
+        session.view.light_drag = light_under_mouse(session, rect);
+        if (session.view.light_drag) {
+            return Drag::light;
+        }
         return near_divider(session, rect) ? Drag::divider : near_profile(session, rect) ? Drag::profile : Drag::orbit;
     }
     return Drag::pan;
@@ -64,6 +73,15 @@ glm::dvec2 mouse_share(const Rect &rect) {
             std::clamp(static_cast<double>((mouse.y - rect.low.y) / rect.height()), 0.0, 1.0)};
 }
 
+std::string light_hint(const Session &session, const LightDrag &drag) {
+    const std::vector<Light> &lights = session.document.scene.lights;
+    const bool moves =
+        drag.handle == LightHandle::lamp && drag.light < lights.size() && has_position(lights[drag.light]);
+    return fmt::format("Light {}: drag {}.", drag.light + 1,
+                       moves ? "it across the picture; it keeps its distance"
+                             : "to turn it; over the edge, it goes behind");
+}
+
 /// A click pins the pixel; one on the pinned pixel lets it go.
 void click_pixel(Session &session, const Rect &rect) {
     const glm::dvec2 at = mouse_share(rect);
@@ -97,10 +115,13 @@ void mouse_over_picture(Session &session, const Rect &picture, const std::string
         drag_divider(session, picture);
     } else if (drag == Drag::profile) {
         session.view.profile_row = mouse_share(picture).y;
+    } else if (drag == Drag::light) {
+        drag_light(session, picture);
     } else if (drag != Drag::none) {
         drag_camera(session.document.scene.camera, picture, drag);
     }
     const bool hovered = ImGui::IsItemHovered();
+    const auto light = hovered ? light_under_mouse(session, picture) : std::nullopt;
     const bool on_divider = near_divider(session, picture);
     if (drag == Drag::divider || (hovered && on_divider)) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
@@ -108,16 +129,20 @@ void mouse_over_picture(Session &session, const Rect &picture, const std::string
     if (drag == Drag::profile || (hovered && near_profile(session, picture))) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
     }
+    if (drag == Drag::light || (light && drag == Drag::none)) {
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+        session.hint = light_hint(session, drag == Drag::light ? *session.view.light_drag : *light);
+    }
     const bool probes = session.view.overlay == Overlay::pixel || session.view.loupe;
     constexpr float click_reach = 9; // pixels, squared
     if (probes && ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) &&
-        ImGui::GetIO().MouseDragMaxDistanceSqr[0] < click_reach && !on_divider) {
+        ImGui::GetIO().MouseDragMaxDistanceSqr[0] < click_reach && !on_divider && !light) {
         click_pixel(session, picture);
     }
     if (hovered) {
         session.view.hovered_pixel = mouse_share(picture);
         use_wheel(session.document.scene.camera);
-        if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && !on_divider) {
+        if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && !on_divider && !light) {
             reset_camera(session.document);
         }
     }

@@ -14,6 +14,17 @@ namespace {
 constexpr ImU32 dark = IM_COL32(0, 0, 0, 200);
 constexpr ImU32 white = IM_COL32(255, 255, 255, 255);
 
+void draw_vectors(const PixelFindings &found, const Rect &picture) {
+    const double aspect = static_cast<double>(picture.width()) / static_cast<double>(picture.height());
+    const PixelProbe &truth = found[Probed::truth_of_a]->probe;
+    for (const Arrow &arrow : arrows_of(found.of.scene, found.of.left.model, truth, aspect)) {
+        draw_arrow(place_of(picture, arrow.from), place_of(picture, arrow.to),
+                   IM_COL32(arrow.color[0], arrow.color[1], arrow.color[2], 255), arrow.name);
+    }
+}
+
+} // namespace
+
 ImVec2 place_of(const Rect &picture, const glm::dvec2 &share) {
     return {picture.low.x + static_cast<float>(share.x) * picture.width(),
             picture.low.y + static_cast<float>(share.y) * picture.height()};
@@ -35,17 +46,6 @@ void draw_arrow(ImVec2 from, ImVec2 to, ImU32 color, const std::string &name) {
     list.AddText({at.x + 1, at.y + 1}, dark, name.c_str());
     list.AddText(at, color, name.c_str());
 }
-
-void draw_vectors(const PixelFindings &found, const Rect &picture) {
-    const double aspect = static_cast<double>(picture.width()) / static_cast<double>(picture.height());
-    const PixelProbe &truth = found[Probed::truth_of_a]->probe;
-    for (const Arrow &arrow : arrows_of(found.of.scene, found.of.left.model, truth, aspect)) {
-        draw_arrow(place_of(picture, arrow.from), place_of(picture, arrow.to),
-                   IM_COL32(arrow.color[0], arrow.color[1], arrow.color[2], 255), arrow.name);
-    }
-}
-
-} // namespace
 
 void draw_probe(const Session &session, const Rect &picture) {
     const auto at = session.view.probed();

@@ -14,9 +14,9 @@ namespace sandbox {
 std::optional<SlowPicture> ViewPainter::slow_picture(const Side &side, const ViewKey &key) {
     SlowPicture slow{&side == &sides_[1], key.textbook, key.scene, key.technique, key.size, {}};
     if (key.textbook) {
-        ViewKey without_wires = key;
-        without_wires.wireframe = false;
-        return side.textbook && side.textbook->first == without_wires ? std::nullopt : std::optional(slow);
+        ViewKey alone = key;
+        alone.overlays = {};
+        return side.textbook && side.textbook->first == alone ? std::nullopt : std::optional(slow);
     }
     if (!waits_ || !side.drawn) {
         return std::nullopt; // the first picture comes as soon as it can
@@ -44,7 +44,7 @@ void ViewPainter::made_aside(const SlowPicture &picture, const std::optional<Ima
     Side &side = sides_[picture.right ? 1 : 0];
     side.awaited.reset();
     if (picture.textbook) { // without an image it has failed, and drawing it says why
-        const ViewKey key{picture.scene, picture.technique, picture.size, true, false, reloads_};
+        const ViewKey key{picture.scene, picture.technique, picture.size, true, {}, reloads_};
         side.textbook = {key, image.value_or(Image())};
     }
 }
@@ -55,7 +55,7 @@ void ViewPainter::draw_side(Side &side, const ViewKey &key) {
         side.target.emplace(key.size);
         side.display.emplace(key.size);
     }
-    if (!key.textbook || key.wireframe) { // a wireframe needs the depth that hides lines
+    if (!key.textbook || key.overlays != Overlays{}) { // which need the depth that hides them
         renderer_.draw(key.scene, key.technique, *side.target);
     }
     if (key.textbook) {
@@ -94,8 +94,8 @@ bool ViewPainter::paint_side(Side &side, const ViewKey &wanted, const DisplayKey
             draw_side(side, key);
             side.shown.warning = renderer_.shader_error();
             side.shown.nonfinite = display_side(side, display);
-            if (key.wireframe) { // after counting, so that lines do not affect it
-                renderer_.draw_wireframe(key.scene, *side.target, wireframe_color);
+            if (key.overlays != Overlays{}) { // after counting, so that lines do not affect it
+                renderer_.draw_overlays(key.scene, key.technique, key.overlays, *side.target);
                 side.displayed.reset();
             }
         }
@@ -233,8 +233,12 @@ void ViewPainter::paint(const Session &session, Size each) {
     for (const bool right : {false, true}) {
         const bool textbook = !right && document.left_is_textbook();
         const double factor = document.mesh_factors[right ? 1 : 0];
-        const ViewKey key{
-            with_mesh_factor(seen, factor), session.technique(right), each, textbook, view.wireframe, reloads_};
+        const ViewKey key{with_mesh_factor(seen, factor),
+                          session.technique(right),
+                          each,
+                          textbook,
+                          on_surfaces(view.drawn_over, view.layout),
+                          reloads_};
         changed |= paint_side(sides_[right ? 1 : 0], key, display);
     }
     if (samples_shown(session) == 1) {

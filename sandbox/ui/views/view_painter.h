@@ -39,8 +39,8 @@ struct ViewKey {
     Technique technique;
     Size size;
     bool textbook = false; ///< on the processor
-    bool wireframe = false;
-    int shaders = 0; ///< counts reloads
+    Overlays overlays;     ///< on surfaces
+    int shaders = 0;       ///< counts reloads
     bool operator==(const ViewKey &) const = default;
 };
 using ViewKeys = std::array<ViewKey, 2>; ///< of A and B

@@ -1,6 +1,7 @@
 #include "ui/views/viewports.h"
 
 #include "ui/views/difference_scale.h"
+#include "ui/views/light_handles.h"
 #include "ui/views/view_captions.h"
 #include "ui/views/view_mouse.h"
 #include "ui/views/view_overlays.h"
@@ -225,6 +226,10 @@ void viewports(Session &session, ViewPainter &painter) {
     }
     for (int i = 0; i < arrangement.columns; ++i) {
         draw_profile_line(session, arrangement.column(i));
+        {
+            const ScopedName name(session, arrangement.columns == 1 ? "View" : names[i]);
+            draw_lights(session, arrangement.column(i));
+        }
         draw_probe(session, arrangement.column(i));
         draw_loupe(session, arrangement.column(i), texture_of(session, painter, i));
     }

@@ -43,7 +43,7 @@ TEST(Document, ACaptureIsShownAsItWasTaken) {
     Session session = session_with(scene);
     session.view.layout = Layout::wipe;
     session.view.divider = 0.25F;
-    session.view.wireframe = true;
+    session.view.drawn_over.wireframe = true;
     session.document.exposure = 2;
     session.document.display = Display::srgb;
     const PictureOptions options = picture_options(session, {300, 600});
@@ -61,7 +61,7 @@ TEST(Document, ACaptureIsShownAsItWasTaken) {
     take_view(view, file);
     EXPECT_EQ(view.layout, Layout::wipe);
     EXPECT_EQ(view.divider, 0.25F);
-    EXPECT_TRUE(view.wireframe);
+    EXPECT_TRUE(view.drawn_over.wireframe);
     session.view.layout = Layout::difference;
     session.view.gain = 17;
     session.view.difference_of = DifferenceOf::b_truth;
