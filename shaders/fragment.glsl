@@ -37,6 +37,10 @@ uniform sampler2D base_texture;
 #if reads_checker
 #include "base_checker.glsl"
 #endif
+#if shown
+#include "math_finite.glsl"
+#include "display_map.glsl"
+#endif
 
 void main()
 {
@@ -92,7 +96,12 @@ void main()
 #if fragment.lit
     vec3 light = lighting(${fragment.surface_arguments});
 #endif
+#if shown
+    vec3 seen = ${fragment.color};
+    color = vec4(finite(seen) ? displayed(seen) : vec3(1.0, 0.0, 1.0), 1.0);
+#else
     color = vec4(${fragment.color}, 1.0);
+#endif
 #if object_ids
     id = object_id;
 #endif

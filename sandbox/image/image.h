@@ -44,6 +44,12 @@ struct ByteImage {
 };
 
 enum class Display { linear, srgb };
+/// How a screen shows linear light.
+struct DisplayMap {
+    Display curve = Display::linear;
+    double exposure = 1; ///< multiplies before the curve
+    bool operator==(const DisplayMap &) const = default;
+};
 
 /// What a screen shows: exposure, clamp to [0, 1], transfer curve, round to nearest. Non-finite pixels become magenta.
 ByteImage to_display(const Image &image, Display display = Display::linear, double exposure = 1);

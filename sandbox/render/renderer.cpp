@@ -40,12 +40,33 @@ Texture upload_texture(const Image &image) {
     return texture;
 }
 
-void clear(const Scene &scene, const Target &target) {
-    const glm::vec4 background(scene.background, 1);
+/// What is drawn into.
+struct Canvas {
+    unsigned framebuffer;
+    Size size;
+    bool object_ids = false;
+    std::optional<DisplayMap> shown; ///< what a screen shows; none: linear light
+};
+Canvas canvas_of(const Target &target) {
+    return {target.framebuffer(), target.size(), target.has_object_ids(), std::nullopt};
+}
+
+glm::vec4 background_of(const Scene &scene, const Canvas &canvas) {
+    Image background({1, 1});
+    background.pixels[0] = glm::vec4(scene.background, 1);
+    if (!canvas.shown) {
+        return background.pixels[0];
+    }
+    const auto seen = to_display(background, canvas.shown->curve, canvas.shown->exposure).rgb;
+    return glm::vec4(seen[0], seen[1], seen[2], 255) / 255.0F;
+}
+
+void clear(const Scene &scene, const Canvas &canvas) {
+    const glm::vec4 background = background_of(scene, canvas);
     constexpr float far_depth = 1;
     glClearBufferfv(GL_COLOR, 0, glm::value_ptr(background));
     glClearBufferfv(GL_DEPTH, 0, &far_depth);
-    if (target.has_object_ids()) {
+    if (canvas.object_ids) {
         constexpr unsigned none[4] = {0, 0, 0, 0};
         glClearBufferuiv(GL_COLOR, 1, none);
     }
@@ -114,29 +135,29 @@ struct Renderer::Impl {
         std::vector<PreparedObject> objects;
         bool deep = false;
     };
-    Prepared prepare(const Scene &scene, const Technique &technique, Size size, bool object_ids, bool guarded) {
+    Prepared prepare(const Scene &scene, const Technique &technique, const Canvas &canvas, bool guarded) {
         Prepared prepared{resources.load(scene), {}, false};
         prepared.deep = is_deep(scene, prepared.loaded);
         if (guarded) {
-            prepared.loaded = seen_parts(scene, technique, std::move(prepared.loaded), aspect_of(size));
+            prepared.loaded = seen_parts(scene, technique, std::move(prepared.loaded), aspect_of(canvas.size));
         }
-        prepared.objects = prepare_objects(scene, technique, prepared.loaded,
-                                           {.object_ids = object_ids, .deep = prepared.deep, .guarded = guarded});
+        prepared.objects = prepare_objects(
+            scene, technique, prepared.loaded,
+            {.object_ids = canvas.object_ids, .shown = canvas.shown, .deep = prepared.deep, .guarded = guarded});
         return prepared;
     }
 
-    void draw(const Scene &scene, const Technique &technique, Target &target, bool guarded) {
-        const auto [loaded, prepared, deep] =
-            prepare(scene, technique, target.size(), target.has_object_ids(), guarded);
-        const PassState pass(target.framebuffer(), target.size(), DepthTest::on);
-        clear(scene, target);
+    void draw(const Scene &scene, const Technique &technique, const Canvas &canvas, bool guarded) {
+        const auto [loaded, prepared, deep] = prepare(scene, technique, canvas, guarded);
+        const PassState pass(canvas.framebuffer, canvas.size, DepthTest::on);
+        clear(scene, canvas);
         if (deep) {
             glEnable(GL_DEPTH_CLAMP); // deep programs clip by near and far themselves
         }
         for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-            draw_object(
-                {scene, scene.objects[i], *loaded[i].mesh, prepared[i], target.size(), static_cast<unsigned>(i + 1)},
-                loaded[i]);
+            draw_object({scene, scene.objects[i], *loaded[i].mesh, prepared[i], canvas.size,
+                         static_cast<unsigned>(i + 1), canvas.shown ? canvas.shown->exposure : 1},
+                        loaded[i]);
         }
         forget_unused();
     }
@@ -194,12 +215,17 @@ Renderer::Renderer(Assets assets, ShaderParts parts)
 Renderer::~Renderer() = default;
 
 void Renderer::draw(const Scene &scene, const Technique &technique, Target &target) {
-    impl_->draw(scene, technique, target, true);
+    impl_->draw(scene, technique, canvas_of(target), true);
 }
 
-std::vector<Features> Renderer::missing_programs(const Scene &scene, const Technique &technique, Size size) {
+void Renderer::draw_shown(const Scene &scene, const Technique &technique, const DisplayMap &map, ScreenTarget &target) {
+    impl_->draw(scene, technique, {target.framebuffer(), target.size(), false, map}, true);
+}
+
+std::vector<Features> Renderer::missing_programs(const Scene &scene, const Technique &technique, Size size,
+                                                 const std::optional<DisplayMap> &map) {
     std::vector<Features> missing;
-    for (const PreparedObject &object : impl_->prepare(scene, technique, size, false, true).objects) {
+    for (const PreparedObject &object : impl_->prepare(scene, technique, {0, size, false, map}, true).objects) {
         if (!impl_->programs.has(object.program)) {
             missing.push_back(object.program);
         }
@@ -208,7 +234,7 @@ std::vector<Features> Renderer::missing_programs(const Scene &scene, const Techn
 }
 
 void Renderer::draw_unguarded(const Scene &scene, const Technique &technique, Target &target) {
-    impl_->draw(scene, technique, target, false);
+    impl_->draw(scene, technique, canvas_of(target), false);
 }
 
 void Renderer::finish() { glFinish(); }

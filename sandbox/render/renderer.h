@@ -9,6 +9,7 @@
 #include "shading/technique.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,8 +28,12 @@ class Renderer {
     /// Throws InputError if the technique is refused for this scene (too many varyings), ShaderError if a program does
     /// not build and no earlier one of the same view can stand in. Does not wait for the picture (see finish()).
     void draw(const Scene &scene, const Technique &technique, Target &target);
-    /// Those that draw() would have to build first. Throws InputError for what cannot be loaded.
-    [[nodiscard]] std::vector<Features> missing_programs(const Scene &scene, const Technique &technique, Size size);
+    /// Likewise, as a screen shows it: the programs map the light themselves.
+    void draw_shown(const Scene &scene, const Technique &technique, const DisplayMap &map, ScreenTarget &target);
+    /// Those that draw() or, with a map, draw_shown() would have to build first. Throws InputError for what cannot be
+    /// loaded.
+    [[nodiscard]] std::vector<Features> missing_programs(const Scene &scene, const Technique &technique, Size size,
+                                                         const std::optional<DisplayMap> &map = {});
     /// Without the guards that the scene needs (without_guards()): wrong, to measure what they cost.
     void draw_unguarded(const Scene &scene, const Technique &technique, Target &target);
 

@@ -28,6 +28,15 @@ void attach(GLenum point, const Texture &texture) {
     glFramebufferTexture2D(GL_FRAMEBUFFER, point, GL_TEXTURE_2D, texture.id(), 0);
 }
 
+/// To the bound framebuffer.
+Renderbuffer attach_depth(Size size, GLenum format) {
+    Renderbuffer depth = make_renderbuffer();
+    glBindRenderbuffer(GL_RENDERBUFFER, depth.id());
+    glRenderbufferStorage(GL_RENDERBUFFER, format, size.width, size.height);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth.id());
+    return depth;
+}
+
 void require_complete(Size size) {
     check_gl(fmt::format("store a picture of {}x{}", size.width, size.height));
     const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
@@ -67,10 +76,7 @@ Target::Target(Size size, bool object_ids) : size_(size) {
         ids_ = make_target_texture(size, GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, GL_NEAREST);
         attach(GL_COLOR_ATTACHMENT1, ids_);
     }
-    depth_ = make_renderbuffer();
-    glBindRenderbuffer(GL_RENDERBUFFER, depth_.id());
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, size.width, size.height);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.id());
+    depth_ = attach_depth(size, GL_DEPTH_COMPONENT32F);
     constexpr GLenum attachments[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
     glDrawBuffers(object_ids ? 2 : 1, attachments);
     require_complete(size);
@@ -142,6 +148,12 @@ DisplayTexture::DisplayTexture(const ByteImage &picture) : DisplayTexture(pictur
     glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size_.width, size_.height, GL_RGB, GL_UNSIGNED_BYTE, bottom_first.data());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     check_gl("store a picture to show");
+}
+
+ScreenTarget::ScreenTarget(Size size) : color_(size) {
+    glBindFramebuffer(GL_FRAMEBUFFER, color_.framebuffer());
+    depth_ = attach_depth(size, GL_DEPTH_COMPONENT24);
+    require_complete(size);
 }
 
 } // namespace sandbox

@@ -55,4 +55,18 @@ class DisplayTexture {
     Framebuffer framebuffer_;
 };
 
+/// What a screen shows, drawn into directly: RGBA8 with a 24-bit depth.
+class ScreenTarget {
+  public:
+    /// Throws MachineError as Target does.
+    explicit ScreenTarget(Size size);
+    [[nodiscard]] Size size() const { return color_.size(); }
+    [[nodiscard]] unsigned texture() const { return color_.texture(); }
+    [[nodiscard]] unsigned framebuffer() const { return color_.framebuffer(); }
+
+  private:
+    DisplayTexture color_;
+    Renderbuffer depth_;
+};
+
 } // namespace sandbox

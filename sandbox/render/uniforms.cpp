@@ -85,6 +85,7 @@ void upload_uniforms(const GlProgram &program, const ObjectDraw &draw) {
     uploader.put("ambient", glm::vec3(prepared.lights.constant_ambient + emission));
     uploader.put("emission", glm::vec3(material.emission));
     uploader.put("object_id", draw.object_id);
+    uploader.put("exposure", static_cast<float>(draw.exposure));
     uploader.put("base_texture", 0);
     if (prepared.program.chequered) {
         put_checker(uploader, material.checker.value_or(Checker{}), draw.mesh, space.origin);

@@ -14,6 +14,7 @@ struct ObjectDraw {
     const PreparedObject &prepared;
     Size size;          ///< of the picture
     unsigned object_id; ///< index + 1
+    double exposure;    ///< of what is drawn as a screen shows it
 
     [[nodiscard]] double aspect() const { return static_cast<double>(size.width) / static_cast<double>(size.height); }
 };

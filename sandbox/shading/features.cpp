@@ -322,6 +322,9 @@ Features program_features(const Features &object) {
     all.wide = object.wide;
     all.deep = object.deep;
     all.object_ids = object.object_ids;
+    all.shown = object.shown;
+    all.srgb = object.srgb;
+    all.exposed = object.exposed;
     return all;
 }
 

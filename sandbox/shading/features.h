@@ -62,6 +62,9 @@ struct Features {
     bool wide = false;         ///< positions are found from the pixel, not interpolated
     bool deep = false;         ///< depth is stored as a logarithm
     bool object_ids = false;
+    bool shown = false;                                 ///< writes what a screen shows, not linear light:
+    bool srgb = false;                                  ///< by this curve
+    bool exposed = false;                               ///< with an exposure other than 1
     auto operator<=>(const Features &) const = default; // NOLINT(modernize-use-nullptr): version 14 errs
 
     [[nodiscard]] bool is_full() const { return technique.program == Program::full; }

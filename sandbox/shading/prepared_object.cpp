@@ -10,6 +10,11 @@ PreparedObject prepare_object(const Scene &scene, const Technique &technique, co
     Features &features = prepared.features;
     features = derive_features(scene, technique, object, mesh, prepared.lights, prepared.space);
     features.object_ids = options.object_ids;
+    if (options.shown) {
+        features.shown = true;
+        features.srgb = options.shown->curve == Display::srgb;
+        features.exposed = options.shown->exposure != 1;
+    }
     features.deep = options.deep || is_deep(scene.camera);
     if (!options.guarded) {
         features = without_guards(features);

@@ -3,6 +3,7 @@
 #include "scene/resources.h"
 #include "shading/needs.h"
 
+#include <optional>
 #include <vector>
 
 namespace sandbox {
@@ -19,8 +20,9 @@ struct PreparedObject {
 /// What a draw asks of its programs beside scene and technique.
 struct DrawOptions {
     bool object_ids = false;
-    bool deep = false;   ///< what is_deep(scene, resources) says; the camera alone may make it so too
-    bool guarded = true; ///< false: without_guards()
+    std::optional<DisplayMap> shown{}; ///< drawn as a screen shows it; none: as linear light
+    bool deep = false;                 ///< what is_deep(scene, resources) says; the camera alone may make it so too
+    bool guarded = true;               ///< false: without_guards()
 };
 
 PreparedObject prepare_object(const Scene &scene, const Technique &technique, const Object &object, const Mesh &mesh,

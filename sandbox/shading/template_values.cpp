@@ -333,10 +333,14 @@ void add_program(TemplateValues &values, const Features &f, const ProgramNeeds &
          {"guard_vertex_normal", f.guard_vertex_normal},
          {"emission", f.emission},
          {"object_ids", f.object_ids},
+         {"shown", f.shown},
+         {"srgb", f.srgb},
+         {"exposed", f.exposed},
          {"deep", f.deep},
          {"orthographic", f.orthographic},
          {"wide", f.wide}});
-    values.texts.insert({{"flat", needs.attributes.flat ? "flat " : ""},
+    values.texts.insert({{"exposed_light", f.exposed ? "light * exposure" : "light"},
+                         {"flat", needs.attributes.flat ? "flat " : ""},
                          {"H", full ? "reflection" : "H"}, // a full program interpolates the one that it needs
                          {"R", full ? "reflection" : "R"},
                          {"vertex.point", needs.attributes.centroid ? "a_centroid" : "a_position"},

@@ -101,8 +101,13 @@ void SideFinder::start_making(const SlowPicture &picture) {
             made_image_ = textbook_picture(picture.scene, resources, picture.technique, picture.size).color;
             return;
         }
-        Target target(picture.size);
-        renderer.draw(picture.scene, picture.technique, target);
+        if (picture.shown) { // the driver compiles at the first draw into such a target
+            ScreenTarget screen(picture.size);
+            renderer.draw_shown(picture.scene, picture.technique, *picture.shown, screen);
+        } else {
+            Target target(picture.size);
+            renderer.draw(picture.scene, picture.technique, target);
+        }
         Renderer::finish();
     });
     if (!started) {

@@ -37,20 +37,25 @@ export DISPLAY=":$(cat "$folder/display")"
 # The pixels of the two pictures, without names, times and panels.
 pictures() { import -window root -crop 900x480+360+110 +repage rgb:- | md5sum; }
 lower_half() { import -window root -crop 900x220+360+370 +repage rgb:- | md5sum; }
-# Waits until the pictures are the same as, or other than, HASH; at most 20 s.
-await() { # same|other HASH
+# Waits until the pictures, or what WHAT takes, are the same as, or other than, HASH; at most 20 s.
+await() { # same|other HASH [WHAT]
     for _ in $(seq 100); do
-        now=$(pictures)
+        now=$("${3:-pictures}")
         if { [ "$1" = same ] && [ "$now" = "$2" ]; } || { [ "$1" = other ] && [ "$now" != "$2" ]; }; then return 0; fi
         sleep 0.2
     done
     return 1
 }
-# Waits until nothing changes any more, then prints the pictures' hash.
+# Waits until nothing changes any more, then prints the pictures' hash. Smooth ones come a second or so after the first.
 settled() {
-    local before now
+    local before now still=0
     before=$(pictures)
-    while sleep 0.3; now=$(pictures); [ "$now" != "$before" ]; do before=$now; done
+    while [ $still -lt 8 ]; do
+        sleep 0.3
+        now=$(pictures)
+        if [ "$now" = "$before" ]; then still=$((still + 1)); else still=0; fi
+        before=$now
+    done
     echo "$now"
 }
 expect_other() { if await other "$2"; then pass "$1"; else fail "$1: the pictures did not change"; fi; }
@@ -116,7 +121,7 @@ edited=$(settled)
 edited_below=$(lower_half)
 for part in shaders/*.glsl; do echo 'this is no GLSL' >>"$part"; done
 expect_other "a broken shader is shown" "$edited" # the message lies over the pictures' upper part
-if [ "$(lower_half)" = "$edited_below" ]; then pass "the last good picture stays"; else fail "the last good picture is gone"; fi
+if await same "$edited_below" lower_half; then pass "the last good picture stays"; else fail "the last good picture is gone"; fi
 rm -rf shaders/* && cp "$shaders"/*.glsl shaders/
 expect_same "the shader mended" "$opened"
 quit "Ctrl+Q after a broken shader"

@@ -11,8 +11,9 @@
 namespace sandbox {
 
 /// Nothing where it can be drawn at once, or fails at once.
-std::optional<SlowPicture> ViewPainter::slow_picture(const Side &side, const ViewKey &key) {
-    SlowPicture slow{&side == &sides_[1], key.textbook, key.scene, key.technique, key.size, {}};
+std::optional<SlowPicture> ViewPainter::slow_picture(const Side &side, const ViewKey &key,
+                                                     const std::optional<DisplayMap> &shown) {
+    SlowPicture slow{&side == &sides_[1], key.textbook, key.scene, key.technique, key.size, shown, {}};
     if (key.textbook) {
         ViewKey alone = key;
         alone.overlays = {};
@@ -22,7 +23,7 @@ std::optional<SlowPicture> ViewPainter::slow_picture(const Side &side, const Vie
         return std::nullopt; // the first picture comes as soon as it can
     }
     try {
-        slow.programs = renderer_.missing_programs(key.scene, key.technique, key.size);
+        slow.programs = renderer_.missing_programs(key.scene, key.technique, key.size, shown);
     } catch (const std::exception &) {
         return std::nullopt;
     }
@@ -49,7 +50,7 @@ void ViewPainter::made_aside(const SlowPicture &picture, const std::optional<Ima
     }
 }
 
-void ViewPainter::draw_side(Side &side, const ViewKey &key) {
+void ViewPainter::draw_light(Side &side, const ViewKey &key, const DisplayMap &display) {
     if (!side.target || side.target->size() != key.size) {
         side.target.reset();
         side.target.emplace(key.size);
@@ -61,17 +62,45 @@ void ViewPainter::draw_side(Side &side, const ViewKey &key) {
     if (key.textbook) {
         side.target->write_color(side.textbook->second);
     }
+    side.shown.nonfinite = display_side(side, display);
+    if (key.overlays != Overlays{}) { // after counting, so that lines do not affect it
+        renderer_.draw_overlays(key.scene, key.technique, key.overlays, *side.target);
+        side.displayed.reset();
+    }
+}
+
+/// Pixels that are not finite are counted with the errors, aside.
+void ViewPainter::draw_shown(Side &side, const ViewKey &key, const DisplayMap &display) {
+    if (!side.screen || side.screen->size() != key.size) {
+        side.screen.reset();
+        side.screen.emplace(key.size);
+    }
+    renderer_.draw_shown(key.scene, key.technique, display, *side.screen);
+    side.displayed = display;
+    side.shown.nonfinite = 0;
+    ++changes_;
+}
+
+/// Else a picture need not be more than what the screen shows.
+bool ViewPainter::reads_light(const Session &session) const {
+    const ViewSettings &view = session.view;
+    return !waits_ || view.layout == Layout::difference || view.masks ||
+           on_surfaces(view.drawn_over, view.layout) != Overlays{} || view.overlay == Overlay::profile;
 }
 
 /// Returns the number of non-finite pixels.
-unsigned ViewPainter::display_side(Side &side, const DisplayKey &display) {
+unsigned ViewPainter::display_side(Side &side, const DisplayMap &display) {
     side.displayed = display;
     ++changes_;
-    return display_pass_.run(*side.target, *side.display, display.display, static_cast<float>(display.exposure));
+    return display_pass_.run(*side.target, *side.display, display.curve, static_cast<float>(display.exposure));
 }
 
-bool ViewPainter::paint_side(Side &side, const ViewKey &wanted, const DisplayKey &display) {
-    side.awaited = side.drawn != wanted ? slow_picture(side, wanted) : std::nullopt;
+bool ViewPainter::paint_side(Side &side, const ViewKey &wanted, const DisplayMap &display, bool light) {
+    const auto is_drawn = [&](const ViewKey &key) {
+        return side.drawn == key && side.light == light && (light || side.displayed == display);
+    };
+    side.awaited =
+        is_drawn(wanted) ? std::nullopt : slow_picture(side, wanted, light ? std::nullopt : std::optional(display));
     // The textbook's last picture is shown while the next one is made, so that it follows what is dragged.
     const bool behind = side.awaited && wanted.textbook && side.textbook;
     if (side.awaited && !behind && !side.drawn) {
@@ -81,29 +110,25 @@ bool ViewPainter::paint_side(Side &side, const ViewKey &wanted, const DisplayKey
         return false;
     }
     const ViewKey &key = behind ? side.textbook->first : wanted;
-    const bool redraw = side.drawn != key;
+    const bool redraw = !is_drawn(key);
     if (!redraw && side.displayed == display) {
         return false;
     }
     try {
         if (redraw) {
             side.drawn = key;
+            side.light = light;
             side.displayed.reset();
             side.shown.error.clear();
             side.resources = renderer_.resources().load(key.scene);
-            draw_side(side, key);
+            light ? draw_light(side, key, display) : draw_shown(side, key, display);
             side.shown.warning = renderer_.shader_error();
-            side.shown.nonfinite = display_side(side, display);
-            if (key.overlays != Overlays{}) { // after counting, so that lines do not affect it
-                renderer_.draw_overlays(key.scene, key.technique, key.overlays, *side.target);
-                side.displayed.reset();
-            }
         }
         if (side.shown.error.empty()) {
             if (side.displayed != display) {
                 display_side(side, display);
             }
-            side.shown.texture = side.display->texture();
+            side.shown.texture = light ? side.display->texture() : side.screen->texture();
             side.shown.size = key.size;
         }
     } catch (const std::exception &error) {
@@ -117,7 +142,7 @@ bool ViewPainter::paint_side(Side &side, const ViewKey &wanted, const DisplayKey
 
 /// Without an image there is none. True if it is another picture than before.
 bool ViewPainter::upload(std::unique_ptr<Uploaded> &uploaded, const std::shared_ptr<const Image> &image,
-                         const DisplayKey &display) {
+                         const DisplayMap &display) {
     if (!image) {
         return std::exchange(uploaded, nullptr) != nullptr;
     }
@@ -130,7 +155,7 @@ bool ViewPainter::upload(std::unique_ptr<Uploaded> &uploaded, const std::shared_
         uploaded->image = image;
     }
     if (redraw || uploaded->displayed != display) {
-        display_pass_.run(uploaded->target, uploaded->display, display.display, static_cast<float>(display.exposure));
+        display_pass_.run(uploaded->target, uploaded->display, display.curve, static_cast<float>(display.exposure));
         uploaded->displayed = display;
         ++changes_;
     }
@@ -146,25 +171,27 @@ std::optional<ViewKeys> ViewPainter::smooth_wanted(const Session &session) const
     return ViewKeys{*left.drawn, *right.drawn};
 }
 
-void ViewPainter::paint_smooth(bool right, const DisplayKey &display) {
+void ViewPainter::paint_smooth(bool right, const DisplayMap &display) {
     Side &side = sides_[right ? 1 : 0];
     std::unique_ptr<Uploaded> &smoothed = smoothed_[right ? 1 : 0];
     const bool fits = smooth_ && side.shown.texture != 0 && side.drawn == smooth_->of[right ? 1 : 0];
     upload(smoothed, fits ? smooth_->means[right ? 1 : 0] : nullptr, display);
     if (side.shown.texture != 0) {
-        side.shown.texture = smoothed ? smoothed->display.texture() : side.display->texture();
+        side.shown.texture = smoothed     ? smoothed->display.texture()
+                             : side.light ? side.display->texture()
+                                          : side.screen->texture();
     }
 }
 
-void ViewPainter::paint_masks(bool right, bool wanted, const DisplayKey &display) {
+void ViewPainter::paint_masks(bool right, bool wanted, const DisplayMap &display) {
     std::unique_ptr<Masks> &masks = masks_[right ? 1 : 0];
     const Side &side = sides_[right ? 1 : 0];
-    if (!wanted || !findings_ || findings_->sides[right ? 1 : 0].uses.empty() || side.shown.texture == 0) {
+    if (!wanted || !findings_ || findings_->sides[right ? 1 : 0].uses.empty() || !side.has_light()) {
         masks.reset();
         return;
     }
-    if (!masks || masks->findings != findings_ || masks->display_key != display) {
-        const ByteImage shown = to_display(side.target->read_color(), display.display, display.exposure);
+    if (!masks || masks->findings != findings_ || masks->map != display) {
+        const ByteImage shown = to_display(side.target->read_color(), display.curve, display.exposure);
         masks = std::make_unique<Masks>(
             Masks{findings_, display, DisplayTexture(mask_picture(shown, findings_->sides[right ? 1 : 0].uses))});
         ++changes_;
@@ -173,7 +200,7 @@ void ViewPainter::paint_masks(bool right, bool wanted, const DisplayKey &display
 
 Image ViewPainter::row(bool right, int y) const {
     const Side &side = sides_[right ? 1 : 0];
-    return side.shown.texture != 0 ? side.target->read_row(y) : Image();
+    return side.has_light() ? side.target->read_row(y) : Image();
 }
 
 unsigned ViewPainter::mask_texture(bool right) const {
@@ -193,7 +220,7 @@ const Target *ViewPainter::target_of(DifferenceOf of, bool second) const {
         return truth ? &truth->target : nullptr;
     }
     const Side &side = sides_[second || of == DifferenceOf::b_truth ? 1 : 0];
-    return side.shown.texture != 0 ? &*side.target : nullptr;
+    return side.has_light() ? &*side.target : nullptr;
 }
 
 void ViewPainter::paint_difference(const ViewSettings &view, bool changed) {
@@ -227,7 +254,7 @@ SidesShown ViewPainter::sides_shown(const Document &document) const {
 void ViewPainter::paint(const Session &session, Size each) {
     const Document document = shown_document(session);
     const ViewSettings &view = session.view;
-    const DisplayKey display{document.display, document.exposure};
+    const DisplayMap display{document.display, document.exposure};
     bool changed = view.difference_of != difference_of_;
     const Scene seen = scene_in_view(document, each);
     for (const bool right : {false, true}) {
@@ -239,7 +266,7 @@ void ViewPainter::paint(const Session &session, Size each) {
                           textbook,
                           on_surfaces(view.drawn_over, view.layout),
                           reloads_};
-        changed |= paint_side(sides_[right ? 1 : 0], key, display);
+        changed |= paint_side(sides_[right ? 1 : 0], key, display, textbook || reads_light(session));
     }
     if (samples_shown(session) == 1) {
         smooth_.reset();

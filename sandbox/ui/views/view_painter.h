@@ -30,7 +30,8 @@ struct SlowPicture {
     Scene scene;
     Technique technique;
     Size size;
-    std::vector<Features> programs; ///< those that are missing
+    std::optional<DisplayMap> shown; ///< drawn as a screen shows it; none: as linear light
+    std::vector<Features> programs;  ///< those that are missing
 };
 
 /// All that a side's float picture depends on.
@@ -108,19 +109,17 @@ class ViewPainter {
     bool reload_changed_shaders();
 
   private:
-    struct DisplayKey {
-        Display display = Display::linear;
-        double exposure = 1;
-        bool operator==(const DisplayKey &) const = default;
-    };
     struct Side {
-        std::optional<ViewKey> drawn; ///< also if that failed: it is not retried until something changes
-        std::optional<DisplayKey> displayed;
-        std::optional<Target> target;
-        std::optional<DisplayTexture> display;
+        std::optional<ViewKey> drawn;          ///< also if that failed: it is not retried until something changes
+        bool light = false;                    ///< drawn into `target`
+        std::optional<DisplayMap> displayed;   ///< none: not yet
+        std::optional<ScreenTarget> screen;    ///< drawn as the screen shows it, where nothing reads linear light,
+        std::optional<Target> target;          ///< or else linear light,
+        std::optional<DisplayTexture> display; ///< and what the screen shows of that
         PaintedView shown;
         std::vector<ObjectResources> resources; ///< held, so that the other side's meshes do not evict them
         std::optional<SlowPicture> awaited;
+        [[nodiscard]] bool has_light() const { return light && shown.texture != 0; }
         std::optional<std::pair<ViewKey, Image>> textbook; ///< the last one made
     };
 
@@ -129,23 +128,26 @@ class ViewPainter {
         std::shared_ptr<const Image> image;
         Target target;
         DisplayTexture display;
-        std::optional<DisplayKey> displayed;
+        std::optional<DisplayMap> displayed;
         explicit Uploaded(Size size) : target(size), display(size) {}
     };
     struct Masks {
         std::shared_ptr<const Findings> findings;
-        DisplayKey display_key;
+        DisplayMap map;
         DisplayTexture texture;
     };
 
-    bool paint_side(Side &side, const ViewKey &wanted, const DisplayKey &display);
-    [[nodiscard]] std::optional<SlowPicture> slow_picture(const Side &side, const ViewKey &key);
-    void draw_side(Side &side, const ViewKey &key);
+    bool paint_side(Side &side, const ViewKey &wanted, const DisplayMap &display, bool light);
+    [[nodiscard]] std::optional<SlowPicture> slow_picture(const Side &side, const ViewKey &key,
+                                                          const std::optional<DisplayMap> &shown);
+    void draw_light(Side &side, const ViewKey &key, const DisplayMap &display);
+    void draw_shown(Side &side, const ViewKey &key, const DisplayMap &display);
+    [[nodiscard]] bool reads_light(const Session &session) const;
     bool upload(std::unique_ptr<Uploaded> &uploaded, const std::shared_ptr<const Image> &image,
-                const DisplayKey &display);
-    void paint_smooth(bool right, const DisplayKey &display);
-    void paint_masks(bool right, bool wanted, const DisplayKey &display);
-    unsigned display_side(Side &side, const DisplayKey &display);
+                const DisplayMap &display);
+    void paint_smooth(bool right, const DisplayMap &display);
+    void paint_masks(bool right, bool wanted, const DisplayMap &display);
+    unsigned display_side(Side &side, const DisplayMap &display);
     void paint_difference(const ViewSettings &view, bool changed);
     [[nodiscard]] const Target *target_of(DifferenceOf of, bool second) const;
 
