@@ -13,7 +13,10 @@ vec3 srgb_curve(vec3 x)
 // What a screen shows of light that is finite.
 vec3 displayed(vec3 light)
 {
-    vec3 shown = clamp(${exposed_light}, 0.0, 1.0);
+#if exposed
+    light *= exposure;
+#endif
+    vec3 shown = clamp(light, 0.0, 1.0);
 #if srgb
     shown = srgb_curve(shown);
 #endif

@@ -18,11 +18,11 @@ namespace sandbox {
 
 /// Places are shares of a view's width and height, from its upper left corner.
 struct Marks {
-    std::optional<glm::dvec2> pixel; ///< of the vectors and the loupe
-    bool vectors = false;            ///< a cross at the pixel and, from its point, N, V and every light's L, R or H
-    bool loupe = false;              ///< the pixel and its neighbours, magnified, in a corner
-    std::optional<double> profile;   ///< a line across, at this share of the height
-    std::optional<glm::dvec3> ring;  ///< where to look: x, y, and the radius as a share of the height
+    std::optional<glm::dvec2> pixel;  ///< of the vectors and the loupe
+    bool vectors = false;             ///< a cross at the pixel and, from its point, N, V and every light's L, R or H
+    bool loupe = false;               ///< the pixel and its neighbours, magnified, in a corner
+    std::optional<double> profile;    ///< a line across, at this share of the height
+    std::optional<glm::dvec3> ring{}; ///< where to look: x, y, and the radius as a share of the height
     bool operator==(const Marks &) const = default;
 };
 

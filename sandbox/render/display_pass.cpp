@@ -24,7 +24,6 @@ void cover(const VertexArray &empty) {
 GlProgram display_program(const ShaderParts &parts, Display display) {
     TemplateValues values;
     values.flags = {{"srgb", display == Display::srgb}, {"exposed", true}};
-    values.texts["exposed_light"] = "light * exposure";
     return GlProgram({expand(parts, "display_vertex.glsl", {}), expand(parts, "display_fragment.glsl", values)});
 }
 

@@ -339,8 +339,7 @@ void add_program(TemplateValues &values, const Features &f, const ProgramNeeds &
          {"deep", f.deep},
          {"orthographic", f.orthographic},
          {"wide", f.wide}});
-    values.texts.insert({{"exposed_light", f.exposed ? "light * exposure" : "light"},
-                         {"flat", needs.attributes.flat ? "flat " : ""},
+    values.texts.insert({{"flat", needs.attributes.flat ? "flat " : ""},
                          {"H", full ? "reflection" : "H"}, // a full program interpolates the one that it needs
                          {"R", full ? "reflection" : "R"},
                          {"vertex.point", needs.attributes.centroid ? "a_centroid" : "a_position"},

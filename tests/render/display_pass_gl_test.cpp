@@ -1,8 +1,12 @@
 #include "render/display_pass.h"
 
 #include "image/difference.h"
+#include "render/renderer.h"
+#include "scene/scene_file.h"
 #include "tools/gl_test.h"
 
+#include <algorithm>
+#include <cstdlib>
 #include <glad/gl.h>
 #include <limits>
 #include <random>
@@ -103,6 +107,38 @@ TEST_F(DisplayPasses, ADifferenceIsTheOneThatFilesHold) {
 TEST_F(DisplayPasses, AFinishedPictureIsShownAsItIs) {
     const ByteImage picture{{3, 2}, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 253, 254, 255}};
     EXPECT_EQ(read_rgb(DisplayTexture(picture)), picture.rgb);
+}
+
+/// Drawn in one step or in two: a level apart at most, as above.
+TEST_F(DisplayPasses, WhatIsDrawnAsShownIsWhatIsShownOfItsLight) {
+    Renderer renderer(Assets("assets"), ShaderParts(Assets("shaders")));
+    const Size size{160, 96};
+    for (const std::string &name : builtin_scenes(Assets("assets"))) {
+        const Scene scene = open_scene(name, Assets("assets"));
+        for (const DisplayMap map : {DisplayMap{}, DisplayMap{Display::srgb, 2.5}}) {
+            ScreenTarget screen(size);
+            const Technique technique{.frequency = Frequency::per_pixel, .model = Model::blinn_phong};
+            renderer.draw_shown(scene, technique, map, screen);
+            const auto shown = read_window_surface(screen.framebuffer(), size).rgb;
+            const auto light = to_display(renderer.render(scene, technique, size).color, map.curve, map.exposure).rgb;
+            int farthest = 0;
+            for (std::size_t i = 0; i < light.size(); ++i) {
+                farthest = std::max(farthest, std::abs(shown[i] - light[i]));
+            }
+            EXPECT_LE(farthest, 1) << name;
+        }
+    }
+}
+
+TEST_F(DisplayPasses, TheBackgroundIsExposedToo) {
+    Renderer renderer(Assets("assets"), ShaderParts(Assets("shaders")));
+    Scene scene = open_scene("box-1-colour", Assets("assets"));
+    scene.background = glm::dvec3(0.25);
+    ScreenTarget screen({8, 8});
+    scene.objects.clear();
+    renderer.draw_shown(scene, {}, {Display::linear, 2}, screen);
+    const auto shown = read_window_surface(screen.framebuffer(), screen.size()).rgb;
+    EXPECT_EQ(shown, to_display(Image(screen.size(), glm::vec4(0.25F)), Display::linear, 2).rgb);
 }
 
 TEST_F(DisplayPasses, AWholePictureMayBeNonFinite) {
