@@ -2,6 +2,8 @@
 
 #include "image/image.h"
 
+#include <glm/vec3.hpp>
+
 #include <memory>
 #include <string>
 #include <string_view>
