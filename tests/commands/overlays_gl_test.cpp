@@ -1,5 +1,8 @@
 #include "commands/script_gl.h"
 
+#include <fmt/format.h>
+#include <string>
+
 namespace sandbox {
 namespace {
 
@@ -61,6 +64,17 @@ TEST_F(ScriptGl, ASpotsTipAndAnArrowsTailTurnTheirLights) {
                            {scene}));
         expect_other("turned.png", "undone.png");
     }
+}
+
+TEST_F(ScriptGl, AProfileReadsThePictureWithoutTheLinesOverIt) {
+    std::string along; // the line of the profile, across the floor's edges
+    for (int x = 120; x < 300; x += 9) {
+        along += fmt::format("hover A/picture {} 100\nlist Profile/A\n", x);
+    }
+    const ProcessResult plain = play("key L\n" + along), lines = play("key W\nkey V\nkey L\n" + along);
+    EXPECT_EQ(plain.exit_code, 0) << plain.err;
+    EXPECT_EQ(plain.out, lines.out);
+    EXPECT_NE(plain.out.find("Profile/A"), std::string::npos);
 }
 
 } // namespace

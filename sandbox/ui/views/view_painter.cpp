@@ -62,6 +62,7 @@ void ViewPainter::draw_light(Side &side, const ViewKey &key, const DisplayMap &d
     if (key.textbook) {
         side.target->write_color(side.textbook->second);
     }
+    side.plain.reset();
     side.shown.nonfinite = display_side(side, display);
     if (key.overlays != Overlays{}) { // after counting, so that lines do not affect it
         renderer_.draw_overlays(key.scene, key.technique, key.overlays, *side.target);
@@ -198,9 +199,23 @@ void ViewPainter::paint_masks(bool right, bool wanted, const DisplayMap &display
     }
 }
 
-Image ViewPainter::row(bool right, int y) const {
-    const Side &side = sides_[right ? 1 : 0];
-    return side.has_light() ? side.target->read_row(y) : Image();
+Image ViewPainter::row(bool right, int y) {
+    Side &side = sides_[right ? 1 : 0];
+    if (!side.has_light()) {
+        return {};
+    }
+    if (side.drawn->overlays == Overlays{}) {
+        return side.target->read_row(y);
+    }
+    if (!side.plain) {
+        side.plain.emplace(side.drawn->size);
+        if (side.drawn->textbook) {
+            side.plain->write_color(side.textbook->second);
+        } else {
+            renderer_.draw(side.drawn->scene, side.drawn->technique, *side.plain);
+        }
+    }
+    return side.plain->read_row(y);
 }
 
 unsigned ViewPainter::mask_texture(bool right) const {

@@ -84,8 +84,8 @@ class ViewPainter {
     [[nodiscard]] unsigned mask_texture(bool right) const;
     /// The reference of a side's model; 0: not known, or not asked for.
     [[nodiscard]] unsigned truth_texture(bool right) const;
-    /// One row of a side's picture, from the top, in linear colour; empty: there is none.
-    [[nodiscard]] Image row(bool right, int y) const;
+    /// One row of a side's picture without overlays, from the top, in linear colour; empty: there is none.
+    [[nodiscard]] Image row(bool right, int y);
     /// 0 until both pictures are there.
     [[nodiscard]] unsigned difference_texture() const { return difference_ ? difference_->texture() : 0; }
     /// The largest difference of any channel, from the last measure_difference(); infinite if a pixel is not finite.
@@ -115,6 +115,7 @@ class ViewPainter {
         std::optional<DisplayMap> displayed;   ///< none: not yet
         std::optional<ScreenTarget> screen;    ///< drawn as the screen shows it, where nothing reads linear light,
         std::optional<Target> target;          ///< or else linear light,
+        std::optional<Target> plain;           ///< `target` without the overlays drawn over it, once a row is asked for
         std::optional<DisplayTexture> display; ///< and what the screen shows of that
         PaintedView shown;
         std::vector<ObjectResources> resources; ///< held, so that the other side's meshes do not evict them
