@@ -1,5 +1,6 @@
 #include "capture/labels.h"
 
+#include "capture/strokes.h"
 #include "image/cut_paste.h"
 #include "image/difference.h"
 #include "image/text.h"
@@ -12,8 +13,6 @@
 
 namespace sandbox {
 namespace {
-
-using Rgb = std::array<std::uint8_t, 3>;
 
 constexpr Rgb paper{24, 26, 30};
 constexpr double smallest_text = 6;  // pixels a line; below that strokes run together

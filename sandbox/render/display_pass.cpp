@@ -34,12 +34,12 @@ DisplayPass::DisplayPass(const ShaderParts &parts)
       difference_({expand(parts, "display_vertex.glsl", {}), expand(parts, "difference_fragment.glsl", {})}),
       empty_(make_vertex_array()), finite_pixels_(make_query()) {}
 
-unsigned DisplayPass::run(const Target &from, DisplayTexture &to, Display display, float exposure) const {
+unsigned DisplayPass::run(const Target &from, DisplayTexture &to, const DisplayMap &map) const {
     const PassState pass(to.framebuffer(), to.size(), DepthTest::off);
-    const GlProgram &program = display_[static_cast<std::size_t>(display)];
+    const GlProgram &program = display_[static_cast<std::size_t>(map.curve)];
     glUseProgram(program.id());
     program.set("linear_picture", 0);
-    program.set("exposure", exposure);
+    program.set("exposure", static_cast<float>(map.exposure));
     bind_picture(0, from);
     glClearBufferfv(GL_COLOR, 0, magenta);
     glBeginQuery(GL_SAMPLES_PASSED, finite_pixels_.id());

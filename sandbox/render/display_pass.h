@@ -13,7 +13,7 @@ class DisplayPass {
   public:
     explicit DisplayPass(const ShaderParts &parts);
     /// Returns how many pixels of `from` are not finite in red, green or blue. Waits until they are counted.
-    unsigned run(const Target &from, DisplayTexture &to, Display display, float exposure) const;
+    unsigned run(const Target &from, DisplayTexture &to, const DisplayMap &map) const;
     /// Signed difference left - right, times gain, in a diverging colour-blind-safe palette (blue: right brighter,
     /// white: equal, orange: left brighter; by the channel that differs most).
     void run_difference(const Target &left, const Target &right, DisplayTexture &to, float gain) const;

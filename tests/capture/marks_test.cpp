@@ -2,16 +2,12 @@
 
 #include "capture/picture.h"
 #include "image/cut_paste.h"
+#include "tools/pixel.h"
 
 #include <gtest/gtest.h>
 
 namespace sandbox {
 namespace {
-
-std::array<int, 3> pixel(const ByteImage &image, int x, int y) {
-    const ByteImage one = cut(image, x, y, {1, 1});
-    return {one.rgb[0], one.rgb[1], one.rgb[2]};
-}
 
 ByteImage grey(Size size) {
     ByteImage picture = black_picture(size);

@@ -2,19 +2,14 @@
 
 #include "capture/picture.h"
 #include "image/cut_paste.h"
+#include "tools/pixel.h"
 
-#include <array>
 #include <gtest/gtest.h>
 
 namespace sandbox {
 namespace {
 
-using Rgb = std::array<int, 3>;
-
-Rgb pixel(const ByteImage &image, int x, int y) {
-    const auto at = static_cast<std::size_t>(3 * (y * image.size.width + x));
-    return {image.rgb[at], image.rgb[at + 1], image.rgb[at + 2]};
-}
+using Rgb = PixelRgb;
 
 TEST(Masks, TheLegendNamesEveryMaskWithItsColour) {
     Metrics metrics;

@@ -1,5 +1,7 @@
 #include "capture/picture.h"
 
+#include "tools/pixel.h"
+
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -13,13 +15,7 @@
 namespace sandbox {
 namespace {
 
-using Rgb = std::array<int, 3>;
-
-Rgb pixel(const ByteImage &image, int x, int y) {
-    const std::size_t at =
-        3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.size.width) + static_cast<std::size_t>(x));
-    return {image.rgb[at], image.rgb[at + 1], image.rgb[at + 2]};
-}
+using Rgb = PixelRgb;
 
 /// Stands in for a renderer: one colour a model.
 Image fake(const Scene &, const Technique &technique, Size size) {

@@ -41,8 +41,8 @@ class DisplayPasses : public GlTest {
         Target target(image.size);
         target.write_color(image);
         DisplayTexture texture(image.size);
-        const unsigned counted =
-            DisplayPass(ShaderParts(Assets("shaders"))).run(target, texture, Display::linear, exposure);
+        const unsigned counted = DisplayPass(ShaderParts(Assets("shaders")))
+                                     .run(target, texture, {Display::linear, static_cast<double>(exposure)});
         shown_ = read_rgb(texture);
         return counted;
     }

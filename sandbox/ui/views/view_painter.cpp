@@ -93,7 +93,7 @@ bool ViewPainter::reads_light(const Session &session) const {
 unsigned ViewPainter::display_side(Side &side, const DisplayMap &display) {
     side.displayed = display;
     ++changes_;
-    return display_pass_.run(*side.target, *side.display, display.curve, static_cast<float>(display.exposure));
+    return display_pass_.run(*side.target, *side.display, display);
 }
 
 bool ViewPainter::paint_side(Side &side, const ViewKey &wanted, const DisplayMap &display, bool light) {
@@ -156,7 +156,7 @@ bool ViewPainter::upload(std::unique_ptr<Uploaded> &uploaded, const std::shared_
         uploaded->image = image;
     }
     if (redraw || uploaded->displayed != display) {
-        display_pass_.run(uploaded->target, uploaded->display, display.curve, static_cast<float>(display.exposure));
+        display_pass_.run(uploaded->target, uploaded->display, display);
         uploaded->displayed = display;
         ++changes_;
     }
