@@ -17,12 +17,12 @@ using Names = std::set<std::string, std::less<>>;
 /// capture are handed pictures, so they stand above render without seeing it.
 const std::map<std::string, Names, std::less<>> rooms_below = {
     {"image", {}},
-    {"words", {"image"}},
     {"scene", {"image"}},
     {"shading", {"scene", "image"}},
+    {"words", {"image", "scene", "shading"}},
     {"reference", {"scene", "image", "shading"}},
     {"render", {"scene", "image", "shading"}},
-    {"measure", {"scene", "image", "shading", "reference"}},
+    {"measure", {"words", "scene", "image", "shading", "reference"}},
     {"teach", {"words", "scene", "image", "shading", "reference", "measure"}},
     {"capture", {"words", "scene", "image", "shading", "reference", "measure", "teach"}},
     {"ui", {"words", "scene", "image", "shading", "reference", "render", "measure", "teach", "capture"}},

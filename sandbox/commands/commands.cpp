@@ -1,6 +1,7 @@
 #include "commands/commands.h"
 
 #include "shading/technique.h"
+#include "words/words.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -55,6 +56,10 @@ CLI::Option *add_choice(CLI::App &command, const std::string &option, const std:
         return text;
     };
     return add_parsed(command, option, fmt::format("{}", fmt::join(words, "|")), value, parse, description);
+}
+
+CLI::Option *add_language(CLI::App &command, std::string &language, const std::string &description) {
+    return add_choice(command, "--lang", {languages.begin(), languages.end()}, language, description);
 }
 
 void add_common_options(CLI::App &command, CommonOptions &common) {

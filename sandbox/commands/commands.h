@@ -48,6 +48,9 @@ CLI::Option *add_parsed(CLI::App &command, const std::string &option, const std:
 CLI::Option *add_choice(CLI::App &command, const std::string &option, const std::vector<std::string> &words,
                         std::string &value, const std::string &description);
 
+/// --lang en|zh.
+CLI::Option *add_language(CLI::App &command, std::string &language, const std::string &description);
+
 /// Ends the description of a subcommand: adds the common options, and has `work` run if the command is chosen.
 template <typename Flags>
 void run_when_chosen(CLI::App &command, CommonOptions &common, Run &run, std::shared_ptr<Flags> flags,

@@ -23,6 +23,7 @@ struct LessonFlags {
     std::filesystem::path out;
     bool check = false;
     bool json = false;
+    std::string language{languages.front()};
 };
 
 PictureOptions slide_options(const LessonStep &step) {
@@ -64,7 +65,7 @@ int run_lesson(const LessonFlags &flags, const CommonOptions &common) {
         throw InputError("--set {}: a lesson brings its own scenes", common.settings.front());
     }
     const Assets assets = scene_assets(common);
-    const Words words = words_of_lessons(assets);
+    const Words words = words_in(flags.language, assets);
     const std::vector<Lesson> lessons =
         flags.lesson == "all" ? builtin_lessons(assets, words) : std::vector{open_lesson(flags.lesson, assets, words)};
     if (!flags.out.empty()) {
@@ -109,6 +110,7 @@ void add_lesson(CLI::App &app, CommonOptions &common, Run &run) {
     add_value(command, "NAME", "", flags->lesson, "Built-in lesson (see: list), path of a .json file, or all")
         ->required();
     command.add_flag("--check", flags->check, "Print every claim with what was measured (the default without --out)");
+    add_language(command, flags->language, "Language of its texts [en]");
     command.add_flag("--json", flags->json, "Print JSON instead");
     add_value(command, "--out", "DIR", flags->out,
               "Write NAME.html and a picture a step, NAME-01.png, ..., into this folder; of all, index.html, too");

@@ -26,7 +26,7 @@ ordered_json list_scenes(const Assets &assets) {
 
 ordered_json list_lessons(const Assets &assets) {
     ordered_json lessons = ordered_json::array();
-    for (const Lesson &lesson : builtin_lessons(assets, words_of_lessons(assets))) {
+    for (const Lesson &lesson : builtin_lessons(assets, words_in(languages.front(), assets))) {
         lessons.push_back({{"name", lesson.name}, {"title", lesson.title.text}, {"about", lesson.about.text}});
     }
     return lessons;

@@ -14,6 +14,7 @@ struct ViewFlags {
     std::optional<Size> size;
     std::filesystem::path settings; ///< empty: a window's own, a script's none
     bool no_times = false;
+    std::string language; ///< empty: a window's as its settings say, a script's English
 };
 
 bool has_display_server() {
@@ -40,6 +41,7 @@ int run_view(const ViewFlags &flags, const CommonOptions &common) {
     options.run_times = !flags.no_times;
     options.settings_file = !flags.settings.empty() ? flags.settings : flags.script.empty() ? settings_file() : "";
     options.settings = read_settings(options.settings_file, options.message);
+    options.language = flags.language.empty() && !flags.script.empty() ? languages.front() : flags.language;
     if (!flags.script.empty()) {
         return run_script(flags.script, options);
     }
@@ -69,6 +71,8 @@ void add_view(CLI::App &app, CommonOptions &common, Run &run) {
                "Size of the window at first [as last time, or 1280x720]");
     add_value(command, "--settings", "FILE", flags->settings,
               "Keeps size, theme and recent files there [in the configuration folder; a script keeps none]");
+    add_language(command, flags->language,
+                 "Language of the window [as its menu was set, else the system's; of a script en]");
     command.add_flag("--no-times", flags->no_times, "Hides run times, so that pictures of the window repeat");
     command.footer("A script has an action on each line, # begins a comment:\n" + script_help());
     run_when_chosen(command, common, run, flags, run_view);

@@ -21,7 +21,6 @@ namespace {
 using nlohmann::json;
 
 constexpr std::string_view lessons_folder = "lessons/";
-constexpr std::array<std::string_view, 2> languages{"en", "zh"};
 
 /// Runs `work`; what it says is wrong is said with the file and the key.
 template <typename Work> auto at(const std::string &place, Work work) -> decltype(work()) {
@@ -204,12 +203,6 @@ class Resolver {
 };
 
 } // namespace
-
-Words words_of_lessons(const Assets &assets, const std::string &language) {
-    const std::string file = fmt::format("words/{}.json", language);
-    const auto text = assets.read(file);
-    return text ? Words(language, *text, file) : Words();
-}
 
 Lesson parse_lesson(std::string_view text, const fs::path &file, const fs::path &folder, const Assets &assets,
                     const Words &words) {

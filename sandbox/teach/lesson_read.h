@@ -12,9 +12,6 @@
 /// Lesson files. Every function throws InputError naming the file, the key and what was expected.
 namespace sandbox {
 
-/// assets/words/LANGUAGE.json; no texts if there is no such file.
-Words words_of_lessons(const Assets &assets, const std::string &language = "en");
-
 /// Reads a lesson by the tables of lesson_format.h. `file` is used in messages and gives the lesson its name; scenes
 /// and textures are looked for in `folder`, then among the built-in ones. A step without a claim that is checked is
 /// refused, unless it says "asserts": false.

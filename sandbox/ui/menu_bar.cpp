@@ -64,6 +64,21 @@ void action_menu(Session &session, const char *title, Action::Group group) {
     ImGui::EndMenu();
 }
 
+void language_menu(Session &session) {
+    if (!begin_menu(session, "Language")) {
+        return;
+    }
+    for (const std::string_view language : languages) {
+        const ScopedName menu(session, "Language");
+        const Label name = session.label(fmt::format("language.{}", language));
+        if (ImGui::MenuItem(name.id().c_str(), nullptr, language == session.words.language())) {
+            session.requests.language = language;
+        }
+        describe_item(session, name.name, "");
+    }
+    ImGui::EndMenu();
+}
+
 /// Of the buttons on the right.
 float right_width() { return button_width("Capture") + button_width("?") + ImGui::GetStyle().ItemSpacing.x * 2; }
 
@@ -79,8 +94,8 @@ void layout_buttons(Session &session) {
     for (const Action &action : actions()) {
         const std::size_t word = brief ? action.name.rfind(' ') + 1 : 0; // 0 without a space
         if (action.group == Action::Group::layout &&
-            toggle_button(session, action.name, action.is_on(session),
-                          fmt::format("{} ({}).", action.help, action.shown), action.name.c_str() + word)) {
+            toggle_button(session, {action.name.substr(word), action.name}, action.is_on(session),
+                          fmt::format("{} ({}).", action.help, action.shown))) {
             action.run(session);
         }
     }
@@ -107,6 +122,7 @@ void menu_bar(Session &session) {
     scene_menu(session);
     action_menu(session, "Edit", Action::Group::edit);
     action_menu(session, "Window", Action::Group::window);
+    language_menu(session);
     ImGui::Spacing();
     layout_buttons(session);
     right_buttons(session);

@@ -45,6 +45,9 @@ Window::Window(const WindowOptions &options, Host &host)
     session_.appearance.panels = settings_.panels;
     session_.appearance.scale = static_cast<float>(settings_.scale);
     session_.appearance.sizes = settings_.panel_sizes;
+    speak(!options.language.empty()            ? options.language
+          : !options.settings.language.empty() ? options.settings.language
+                                               : system_language());
     session_.scenes = builtin_scenes(assets_);
     session_.textures = assets_.list("textures/");
     for (std::string &texture : session_.textures) {
@@ -170,6 +173,10 @@ void Window::answer_requests() {
     if (requests.save) {
         save(*requests.save);
     }
+    if (requests.language) {
+        attempt(session_, "", [&] { speak(*requests.language); });
+        settings_.language = session_.words.language();
+    }
     if (requests.ask_open) {
         dialog_.show(FileDialog::Purpose::open, "");
     }
@@ -228,6 +235,8 @@ void Window::open(const std::string &name_or_path) {
         }
     });
 }
+
+void Window::speak(const std::string &language) { session_.words = words_in(language, assets_); }
 
 /// Throws InputError, and then nothing changes.
 void Window::take_opened(const OpenedFile &file) {

@@ -32,6 +32,7 @@ struct WindowOptions {
     std::filesystem::path settings_file; ///< empty: nothing is kept
     std::string message;                 ///< in the status line, first
     bool run_times = true;
+    std::string language; ///< of languages; empty: as the settings say
 };
 
 /// All that happens inside a window, whatever the window stands on: made in this order, destroyed in reverse.
@@ -70,6 +71,7 @@ class Window {
     void capture();
     void end_capture(const CaptureQueue::Outcome &outcome);
     void save(const std::string &path);
+    void speak(const std::string &language);
     void take_opened(const OpenedFile &file);
     void show_view(const OpenedFile &file);
     void use_clipboard(const Requests &requests);

@@ -13,20 +13,43 @@ Words::Words(std::string language, std::string_view json, const std::string &fil
     if (!read.is_object()) {
         throw InputError("{}: expected a JSON object of texts", file);
     }
+    Texts texts;
     for (const auto &[key, text] : read.items()) {
         if (!text.is_string()) {
             throw InputError("{}: {}: expected a string, got {}", file, key, text.dump());
         }
-        texts_.emplace(key, text.get<std::string>());
+        texts.emplace(key, text.get<std::string>());
     }
+    texts_ = std::make_shared<Texts>(std::move(texts));
+}
+
+const std::string *Words::find(std::string_view key) const {
+    const auto found = texts_->find(key);
+    return found == texts_->end() ? nullptr : &found->second;
 }
 
 const std::string &Words::text(std::string_view key) const {
-    const auto found = texts_.find(key);
-    if (found != texts_.end()) {
-        return found->second;
+    if (const std::string *found = find(key)) {
+        return *found;
+    }
+    if (english_) {
+        return english_->text(key);
     }
     throw InputError("{} has no text \"{}\"", file_, key);
+}
+
+Words words_in(std::string_view language, const Assets &assets) {
+    const std::string file = fmt::format("words/{}.json", language);
+    const auto own = assets.read(file);
+    const auto text = own ? own : Assets("assets").read(file);
+    if (!text) {
+        throw InputError("{}: there is no such file", file);
+    }
+    Words words(std::string(language), *text, file);
+    if (language != languages.front()) {
+        words.english_ = std::make_shared<Words>(words_in(languages.front(), assets));
+    }
+    return words;
 }
 
 } // namespace sandbox

@@ -15,7 +15,7 @@ class LessonsOnTheRenderer : public GlTest {
     Assets assets_{"assets"};
     Renderer renderer_{assets_, ShaderParts(Assets("shaders"))};
     LessonDraw draw_ = lessons_drawn_by(renderer_);
-    std::vector<Lesson> lessons_ = builtin_lessons(assets_, words_of_lessons(assets_));
+    std::vector<Lesson> lessons_ = builtin_lessons(assets_, words_in("en", assets_));
 };
 
 TEST_F(LessonsOnTheRenderer, NoLessonLies) {

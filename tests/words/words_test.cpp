@@ -1,6 +1,8 @@
 #include "words/words.h"
 
+#include "image/error.h"
 #include "tools/error_of.h"
+#include "tools/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +14,30 @@ TEST(Words, GiveTheTextOfAKey) {
     EXPECT_EQ(words.language(), "zh");
     EXPECT_EQ(words.text("a.title"), "光照");
     EXPECT_EQ(error_of([&] { (void)words.text("a"); }), "words/zh.json has no text \"a\"");
+}
+
+TEST(Words, FillInValuesInTheOrderOfTheLanguage) {
+    const Words words("zh", R"({"of": "{1}的{0}"})", "words/zh.json");
+    EXPECT_EQ(words.format("of", "法线", 2), "2的法线");
+}
+
+/// A folder of scenes (--assets) need not bring texts.
+TEST(Words, AreThoseInsideTheExecutableWhereAFolderHasNone) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(words_in("en", Assets("assets", folder.path())).all(), words_in("en").all());
+    EXPECT_THROW((void)words_in("xx"), InputError);
+}
+
+TEST(Words, AreInEnglishWhereALanguageLacksThem) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder.path() / "words");
+    folder.write("words/zh.json", R"({"a": "一"})");
+    folder.write("words/en.json", R"({"a": "one", "b": "two"})");
+    const Words words = words_in("zh", Assets("assets", folder.path()));
+    EXPECT_EQ(words.text("a"), "一");
+    EXPECT_EQ(words.text("b"), "two");
+    EXPECT_EQ(words.english().text("a"), "one");
+    EXPECT_EQ(words.find("b"), nullptr);
 }
 
 TEST(Words, RefuseWhatIsNoText) {

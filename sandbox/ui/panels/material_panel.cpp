@@ -19,15 +19,15 @@ void surface_choice(Session &session, Material &material, const Material &opened
             textures.push_back(own);
         }
     }
-    std::vector<std::string> names{"plain", "checker"};
+    std::vector<Label> names{session.label("material.plain"), session.label("material.checker")};
     for (const std::string &texture : textures) {
-        names.push_back(std::filesystem::path(texture).filename().string());
+        names.emplace_back(std::filesystem::path(texture).filename().string());
     }
     const auto found = std::ranges::find(textures, material.texture);
     std::size_t chosen = material.checker          ? 1
                          : found == textures.end() ? 0
                                                    : 2 + static_cast<std::size_t>(found - textures.begin());
-    if (choice_row(session, "surface", names, chosen, "The texture or checker whose colours multiply those below.")) {
+    if (choice_row(session, session.label("material.surface"), names, chosen, session.text("material.surface.help"))) {
         material.texture = chosen >= 2 ? textures[chosen - 2] : "";
         material.checker = chosen == 1 ? std::optional(opened.checker.value_or(Checker{})) : std::nullopt;
     }

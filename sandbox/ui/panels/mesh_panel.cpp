@@ -16,17 +16,19 @@ namespace sandbox {
 namespace {
 
 void shape_choice(Session &session, Shape &shape, const Shape &opened) {
-    std::vector<std::string> names;
+    std::vector<Label> names;
     std::vector<Shape> fresh;
     for_each_shape([&]<class S>(std::type_identity<S>) {
         constexpr bool from_file = std::is_same_v<S, ObjShape>;
         if (!from_file || std::holds_alternative<ObjShape>(opened)) {
-            names.emplace_back(from_file ? "model file" : format_of<S>.name);
+            const std::string_view word = format_of<S>.name;
+            names.push_back(from_file ? session.label("mesh.model_file")
+                                      : Label(word_of(session.words, word), std::string(word)));
             fresh.emplace_back(S{});
         }
     });
     std::size_t chosen = shape.index();
-    if (choice_row(session, "shape", names, chosen, "The object's mesh.")) {
+    if (choice_row(session, session.label("mesh.shape"), names, chosen, session.text("mesh.shape.help"))) {
         shape = chosen == opened.index() ? opened : fresh[chosen];
     }
 }

@@ -67,13 +67,13 @@ bool object_choice(Session &session) {
         return false;
     }
     if (objects.size() > 1) {
-        std::vector<std::string> names;
+        std::vector<Label> names;
         for (const Object &object : objects) {
             const std::size_t number = names.size() + 1;
-            names.push_back(object.name.empty() ? fmt::format("object {}", number)
-                                                : fmt::format("{}  {}", number, object.name));
+            names.push_back(object.name.empty() ? session.label("object.numbered", number)
+                                                : Label(fmt::format("{}  {}", number, object.name)));
         }
-        choice_row(session, "object", names, session.object, "The object that the rows below belong to.");
+        choice_row(session, session.label("object"), names, session.object, session.text("object.help"));
     }
     return true;
 }

@@ -5,9 +5,11 @@
 #include "scene/overlays.h"
 #include "ui/session/document.h"
 #include "ui/session/history.h"
+#include "ui/session/label.h"
 #include "ui/session/pixel_findings.h"
 #include "ui/session/playback.h"
 #include "ui/session/widget_map.h"
+#include "words/words.h"
 
 #include <array>
 #include <cstddef>
@@ -87,6 +89,7 @@ struct Requests {
     bool open_folder = false;                     ///< of captures
     std::optional<std::string> open;              ///< a built-in name or a path
     std::optional<std::string> save;              ///< a path for the scene
+    std::optional<std::string> language;          ///< of languages
     bool ask_open = false, ask_save = false;      ///< for a path
     bool copy_scene = false, paste_scene = false; ///< as JSON, by the clipboard
     bool operator==(const Requests &) const = default;
@@ -111,9 +114,18 @@ struct Session {
     std::vector<std::string> scenes;   ///< built-in ones, in the order they are taught
     std::vector<std::string> textures; ///< built-in ones
     WidgetMap widgets;                 ///< for scripts
+    Words words = words_in(languages.front());
 
     explicit Session(Document first) : document(first), history(std::move(first)) {}
 
+    /// A text in the window's language, with {0}, {1}, ... filled in.
+    template <class... T> [[nodiscard]] std::string text(std::string_view key, const T &...values) const {
+        return words.format(key, values...);
+    }
+    /// Likewise, for a widget that scripts know by the English text.
+    template <class... T> [[nodiscard]] Label label(std::string_view key, const T &...values) const {
+        return {words.format(key, values...), words.english().format(key, values...)};
+    }
     /// The object of the Material and Mesh panels; the scene must have one.
     [[nodiscard]] Object &shown_object() { return document.scene.objects[object]; }
     /// That object as opened; as it is now if it was not there.

@@ -2,6 +2,7 @@
 
 #include "image/error.h"
 #include "image/file_io.h"
+#include "words/words.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -47,6 +48,8 @@ Settings read_settings(const fs::path &file, std::string &message) {
         settings.panels = from.value("panels", settings.panels);
         settings.scale = std::clamp(from.value("scale", settings.scale), 0.6, 3.0);
         settings.recent = from.value("recent", settings.recent);
+        const std::string language = from.value("language", settings.language);
+        settings.language = std::ranges::find(languages, language) != languages.end() ? language : "";
         settings.panel_sizes.side_ems = panel_size(from, "side_ems", least_side_ems, most_side_ems);
         settings.panel_sizes.bottom_share = panel_size(from, "bottom_share", least_bottom_share, most_bottom_share);
         const auto size = from.value("window", std::array<int, 2>{settings.window.width, settings.window.height});
@@ -72,11 +75,24 @@ void write_settings(const fs::path &file, const Settings &settings) {
     const nlohmann::ordered_json to{{"dark", settings.dark},
                                     {"panels", settings.panels},
                                     {"scale", settings.scale},
+                                    {"language", settings.language},
                                     {"window", {settings.window.width, settings.window.height}},
                                     {"side_ems", settings.panel_sizes.side_ems},
                                     {"bottom_share", settings.panel_sizes.bottom_share},
                                     {"recent", settings.recent}};
     write_file(file, to.dump(2) + "\n");
+}
+
+std::string system_language() {
+    for (const char *name : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
+        if (const char *value = std::getenv(name); value != nullptr && *value != '\0') {
+            const std::string_view word =
+                std::string_view(value).substr(0, std::string_view(value).find_first_of("_.@"));
+            const auto found = std::ranges::find(languages, word);
+            return std::string(found != languages.end() ? *found : languages.front());
+        }
+    }
+    return std::string(languages.front());
 }
 
 void add_recent(Settings &settings, const fs::path &path) {

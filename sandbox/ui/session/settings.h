@@ -13,6 +13,7 @@ struct Settings {
     bool dark = true;
     bool panels = true;
     double scale = 1;       ///< of text and controls, [0.6, 3]
+    std::string language;   ///< of languages; empty: the system's
     Size window{1280, 720}; ///< [480, 16384] x [320, 16384]
     PanelSizes panel_sizes;
     std::vector<std::string> recent; ///< absolute paths of files, the last one first; at most most_recent
@@ -30,6 +31,9 @@ std::filesystem::path settings_file();
 Settings read_settings(const std::filesystem::path &file, std::string &message);
 /// Makes the folder if need be. Throws InputError.
 void write_settings(const std::filesystem::path &file, const Settings &settings);
+
+/// Of languages, as LC_ALL, else LC_MESSAGES, else LANG has it; English where they name none of them.
+std::string system_language();
 
 /// Puts `path` in front of the recent files.
 void add_recent(Settings &settings, const std::filesystem::path &path);

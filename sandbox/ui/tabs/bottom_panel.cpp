@@ -40,13 +40,13 @@ Titles titles_for(float room) {
 
 /// One list with all titles, and a way to fold the open one.
 void draw_list(Session &session, float width) {
-    std::vector<std::string> names{session.appearance.tab ? "no tab" : "choose a tab"};
+    std::vector<Label> names{session.label(session.appearance.tab ? "tabs.none" : "tabs.choose")};
     for (const BottomTab &row : bottom_tabs) {
         names.emplace_back(row.title);
     }
     std::size_t chosen = session.appearance.tab ? *session.appearance.tab + 1 : 0;
     ImGui::SetNextItemWidth(std::min(width, ImGui::GetFontSize() * 14));
-    if (combo(session, "##tabs", names, chosen, "The tabs of this panel.")) {
+    if (combo(session, "tabs", names, chosen, session.text("tabs.help"))) {
         session.appearance.tab = chosen > 0 ? std::optional(chosen - 1) : std::nullopt;
     }
 }
@@ -61,8 +61,8 @@ void draw_titles(Session &session) {
         const BottomTab &row = bottom_tabs[tab];
         const bool open = session.appearance.tab == tab;
         const char *fold = open ? "  Click again to fold it." : "";
-        if (toggle_button(session, row.title, open, fmt::format("{} ({}).{}", row.hint, row.key, fold),
-                          titles == Titles::brief ? row.brief : row.title)) {
+        if (toggle_button(session, {titles == Titles::brief ? row.brief : row.title, row.title}, open,
+                          fmt::format("{} ({}).{}", row.hint, row.key, fold))) {
             toggle_tab(session, tab);
         }
         ImGui::SameLine(0, title_gap);

@@ -25,7 +25,7 @@ std::string title_of(ErrorNorm norm) { return std::string(name_of(norm)); }
 template <typename Choice>
 void choose(Session &session, const char *id, std::span<const Choice> choices, Choice &chosen, bool narrow,
             const char *hint) {
-    std::vector<std::string> names;
+    std::vector<Label> names;
     std::ranges::transform(choices, std::back_inserter(names), [](Choice c) { return title_of(c); });
     auto index = static_cast<std::size_t>(std::ranges::find(choices, chosen) - choices.begin());
     if (narrow) {
@@ -176,10 +176,10 @@ void technique_cell(Session &session, const WorkPrecision &measured, std::size_t
 
 void error_time_choices(Session &session, const WorkPrecision &measured, ErrorTimeView &view, bool narrow) {
     const std::vector<Model> models = models_of(measured);
-    choose<Model>(session, "##model", models, view.model, narrow,
+    choose<Model>(session, "model", models, view.model, narrow,
                   "Techniques of this reflection model; each model is judged against its own truth.");
     ImGui::SameLine();
-    choose<ErrorNorm>(session, "##norm", error_norms, view.norm, narrow,
+    choose<ErrorNorm>(session, "norm", error_norms, view.norm, narrow,
                       "Of the differences from the truth, over all channels of the compared pixels.");
 }
 

@@ -56,20 +56,28 @@ std::vector<Motion> offered_motions(const Scene &scene) {
     return all;
 }
 
+std::vector<Label> motion_labels(const Session &session, const std::vector<Motion> &motions) {
+    std::vector<Label> labels;
+    for (const Motion &motion : motions) {
+        const std::string name = motion_words(motion);
+        labels.push_back(motion.mover == Mover::number   ? Label(name)
+                         : motion.mover == Mover::camera ? session.label("motion.camera")
+                         : motion.mover == Mover::light  ? session.label("motion.light", motion.index + 1)
+                                                         : session.label("motion.object", motion.index + 1));
+    }
+    return labels;
+}
+
 void what_moves(Session &session) {
     const Motion &now = session.playback.motion;
     const std::vector<Motion> offered = offered_motions(session.document.scene);
-    std::vector<std::string> names;
-    std::ranges::transform(offered, std::back_inserter(names), motion_words);
+    const std::vector<Label> names = motion_labels(session, offered);
     const auto same = [&](const Motion &m) {
         return m.mover == now.mover && (m.mover == Mover::number ? m.path == now.path : m.index == now.index);
     };
     auto chosen = static_cast<std::size_t>(std::ranges::find_if(offered, same) - offered.begin());
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 17);
-    if (combo(
-            session, "##what", names, chosen,
-            "What moves: the camera or a light about the camera's target, an object about its own axis, or any number "
-            "of the scene.")) {
+    if (combo(session, "what", names, chosen, session.text("motion.what.help"))) {
         choose_motion(session, offered[chosen]);
     }
 }

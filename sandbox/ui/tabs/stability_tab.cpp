@@ -162,7 +162,9 @@ void StabilityTab::filter_controls(Session &session) {
     const float em = ImGui::GetFontSize();
     same_line_if_fits(em * 9);
     ImGui::SetNextItemWidth(em * 9);
-    if (combo(session, "##group", groups_, group_, "Lists one group only.")) {
+    std::vector<Label> groups(groups_.begin(), groups_.end());
+    groups.front() = session.label("stability.all_groups");
+    if (combo(session, "group", groups, group_, session.text("stability.group.help"))) {
         filter_.group = group_ == 0 ? "" : groups_[group_];
     }
     same_line_if_fits(em * 10);

@@ -16,7 +16,7 @@ namespace {
 constexpr float label_ems = 9.2F; // of a row, in text heights
 
 /// "cutoff" of "cutoff, degrees".
-std::string row_name(const std::string &label) { return label.substr(0, label.find(", ")); }
+std::string row_name(const Label &label) { return label.name.substr(0, label.name.find(", ")); }
 
 /// Behind a number's control. A scene file's range holds, for typed numbers too.
 bool finish_number(Session &session, const Row &row, double &value, double before, double opened) {
@@ -27,8 +27,7 @@ bool finish_number(Session &session, const Row &row, double &value, double befor
         value = std::isfinite(value) ? nearest_accepted(value, row.range) : before;
     }
     describe_item(session, row_name(row.label),
-                  fmt::format("{}  Ctrl+click: type a number.  Right-click: back to {}.", row.hint,
-                              fmt::sprintf(row.range.slider.format, opened)),
+                  row.hint + "  " + session.text("row.number.help", fmt::sprintf(row.range.slider.format, opened)),
                   fmt::sprintf(row.range.slider.format, value), value);
     return value != before;
 }
@@ -42,14 +41,14 @@ bool number(Session &session, const Row &row, double &value, double opened) {
 
 template <int N>
 bool vector_row(Session &session, const Row &row, glm::vec<N, double> &value, const glm::vec<N, double> &opened) {
-    row_label(row.label);
+    row_label(row.label.shown);
     const ScopedName name(session, row_name(row.label));
     const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
     const float width = (ImGui::GetContentRegionAvail().x - (N - 1) * gap) / N;
     bool changed = false;
     for (int i = 0; i < N; ++i) {
-        const Row each{std::string(1, "xyz"[i]), row.range, row.hint + "  Drag sideways."};
-        const ScopedId component(each.label);
+        const Row each{std::string(1, "xyz"[i]), row.range, row.hint + "  " + session.text("row.vector.help")};
+        const ScopedId component(each.label.name);
         if (i > 0) {
             ImGui::SameLine(0, gap);
         }
@@ -65,8 +64,8 @@ double from_float(float value, const Range &range) {
 }
 
 bool color_row(Session &session, const Row &row, glm::dvec3 &value, const glm::dvec3 &opened) {
-    row_label(row.label);
-    const ScopedId id(row.label);
+    row_label(row.label.shown);
+    const ScopedId id(row.label.name);
     float rgb[3] = {static_cast<float>(value.x), static_cast<float>(value.y), static_cast<float>(value.z)};
     bool changed =
         ImGui::ColorEdit3("##value", rgb,
@@ -79,9 +78,12 @@ bool color_row(Session &session, const Row &row, glm::dvec3 &value, const glm::d
         changed = value != opened;
         value = opened;
     }
-    describe_item(session, row_name(row.label),
-                  row.hint + "  The square opens a picker.  Right-click: back to the scene's colour.");
+    describe_item(session, row_name(row.label), row.hint + "  " + session.text("row.colour.help"));
     return changed;
+}
+
+Label numbered(const Label &label, std::size_t number) {
+    return {fmt::format("{} {}", label.shown, number), fmt::format("{} {}", label.name, number)};
 }
 
 /// What the current window's clipping leaves of it.
@@ -98,19 +100,23 @@ Widget on_screen(ImVec2 low, ImVec2 high, std::string text, std::optional<double
 
 } // namespace
 
+Row row_of(const Session &session, std::string_view key, const Range &range) {
+    return {session.label(key), range, session.text(std::string(key) + ".help")};
+}
+
 bool slider(Session &session, const Row &row, double &value, double opened) {
     Slider shown = row.range.slider;
     shown.low = std::min(shown.low, opened);
     shown.high = opened > shown.high ? std::min(row.range.high, opened * 2) : shown.high;
     const double before = value;
-    const ScopedId id(row.label);
+    const ScopedId id(row.label.name);
     ImGui::SliderScalar("##value", ImGuiDataType_Double, &value, &shown.low, &shown.high, shown.format,
                         shown.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
     return finish_number(session, row, value, before, opened);
 }
 
 bool control_row(Session &session, const Row &row, double &value, double opened) {
-    row_label(row.label);
+    row_label(row.label.shown);
     return slider(session, row, value, opened);
 }
 
@@ -122,7 +128,7 @@ bool control_row(Session &session, const Row &row, int &value, int opened) {
 }
 
 bool control_row(Session &session, const Row &row, bool &value, bool opened) {
-    bool changed = ImGui::Checkbox(row.label.c_str(), &value);
+    bool changed = ImGui::Checkbox(row.label.id().c_str(), &value);
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
         changed = value != opened;
         value = opened;
@@ -143,31 +149,29 @@ bool control_row(Session &session, const Row &row, std::array<glm::dvec3, 2> &va
                  const std::array<glm::dvec3, 2> &opened) {
     bool changed = false;
     for (std::size_t i = 0; i < value.size(); ++i) {
-        changed |=
-            control_row(session, {fmt::format("{} {}", row.label, i + 1), row.range, row.hint}, value[i], opened[i]);
+        changed |= control_row(session, {numbered(row.label, i + 1), row.range, row.hint}, value[i], opened[i]);
     }
     return changed;
 }
 
-bool choice_row(Session &session, const char *label, std::span<const std::string> names, std::size_t &chosen,
-                const char *hint) {
-    row_label(label);
-    return combo(session, fmt::format("##{}", label).c_str(), names, chosen, hint);
+bool choice_row(Session &session, const Label &label, std::span<const Label> choices, std::size_t &chosen,
+                const std::string &hint) {
+    row_label(label.shown);
+    return combo(session, label.name, choices, chosen, hint);
 }
 
-bool combo(Session &session, const char *id, std::span<const std::string> names, std::size_t &chosen,
-           const char *hint) {
+bool combo(Session &session, const std::string &name, std::span<const Label> choices, std::size_t &chosen,
+           const std::string &hint) {
     const std::size_t before = chosen;
-    const std::string name = std::string(id).substr(2); // after ##
-    const char *shown = chosen < names.size() ? names[chosen].c_str() : "";
-    if (ImGui::BeginCombo(id, shown)) {
-        for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string shown = chosen < choices.size() ? choices[chosen].shown : "";
+    if (ImGui::BeginCombo(("##" + name).c_str(), shown.c_str())) {
+        for (std::size_t i = 0; i < choices.size(); ++i) {
             const ScopedName list(session, name);
             const ScopedId entry(i);
-            if (ImGui::Selectable(names[i].c_str(), i == chosen)) {
+            if (ImGui::Selectable(choices[i].id().c_str(), i == chosen)) {
                 chosen = i;
             }
-            describe_item(session, names[i], hint);
+            describe_item(session, choices[i].name, hint);
         }
         ImGui::EndCombo();
     }
@@ -175,38 +179,38 @@ bool combo(Session &session, const char *id, std::span<const std::string> names,
     return chosen != before;
 }
 
-bool button(Session &session, const std::string &label, const std::string &hint) {
-    const bool clicked = ImGui::Button(label.c_str());
-    describe_item(session, label, hint);
+bool button(Session &session, const Label &label, const std::string &hint) {
+    const bool clicked = ImGui::Button(label.id().c_str());
+    describe_item(session, label.name, hint, label.shown);
     return clicked;
 }
 
-bool small_button(Session &session, const std::string &label, const std::string &hint) {
-    const bool clicked = ImGui::SmallButton(label.c_str());
-    describe_item(session, label, hint);
+bool small_button(Session &session, const Label &label, const std::string &hint) {
+    const bool clicked = ImGui::SmallButton(label.id().c_str());
+    describe_item(session, label.name, hint, label.shown);
     return clicked;
 }
 
-bool checkbox(Session &session, const std::string &label, bool &on, const std::string &hint) {
-    const bool changed = ImGui::Checkbox(label.c_str(), &on);
-    describe_item(session, label, hint, on ? "on" : "off");
+bool checkbox(Session &session, const Label &label, bool &on, const std::string &hint) {
+    const bool changed = ImGui::Checkbox(label.id().c_str(), &on);
+    describe_item(session, label.name, hint, on ? "on" : "off");
     return changed;
 }
 
-bool radio_button(Session &session, const std::string &label, bool on, const std::string &hint) {
-    const bool clicked = ImGui::RadioButton(label.c_str(), on);
-    describe_item(session, label, hint, on ? "on" : "off");
+bool radio_button(Session &session, const Label &label, bool on, const std::string &hint) {
+    const bool clicked = ImGui::RadioButton(label.id().c_str(), on);
+    describe_item(session, label.name, hint, on ? "on" : "off");
     return clicked;
 }
 
-bool toggle_button(Session &session, const std::string &label, bool on, const std::string &hint, const char *shown) {
+bool toggle_button(Session &session, const Label &label, bool on, const std::string &hint) {
     if (on) {
         ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
         ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
         ImGui::PushStyleColor(ImGuiCol_Text, text_on_accent());
     }
-    const bool clicked = ImGui::Button(shown != nullptr ? shown : label.c_str());
-    describe_item(session, label, hint);
+    const bool clicked = ImGui::Button(label.id().c_str());
+    describe_item(session, label.name, hint, label.shown);
     ImGui::PopStyleColor(on ? 3 : 0);
     return clicked;
 }
@@ -232,9 +236,7 @@ std::optional<float> panel_edge(Session &session, std::string_view name, ImVec2 
             low, {low.x + size.x, low.y + size.y},
             ImGui::GetColorU32(has_keys ? ImGuiCol_NavHighlight : ImGuiCol_SliderGrab));
     }
-    describe_item(session, name,
-                  hint + "  Arrows move it while it has the keys (Ctrl+Tab).  Right-click, double click "
-                         "or Enter: back.");
+    describe_item(session, name, hint + "  " + session.text("edge.help"));
     if (dragged) {
         return upright ? ImGui::GetMousePos().x : ImGui::GetMousePos().y;
     }

@@ -14,7 +14,7 @@ namespace sandbox {
 
 /// What a row of a panel says, and the numbers it takes.
 struct Row {
-    std::string label; ///< with its unit; no two rows of a panel have the same
+    Label label; ///< with its unit; no two rows of a panel have the same name
     Range range;
     std::string hint; ///< whole sentences
 };
@@ -29,19 +29,22 @@ bool control_row(Session &session, const Row &row, glm::dvec2 &value, const glm:
 bool control_row(Session &session, const Row &row, glm::dvec3 &value, const glm::dvec3 &opened);
 bool control_row(Session &session, const Row &row, std::array<glm::dvec3, 2> &value,
                  const std::array<glm::dvec3, 2> &opened);
-bool choice_row(Session &session, const char *label, std::span<const std::string> names, std::size_t &chosen,
-                const char *hint);
+bool choice_row(Session &session, const Label &label, std::span<const Label> choices, std::size_t &chosen,
+                const std::string &hint);
+
+/// Of a row or a widget whose hint is the text KEY.help.
+Row row_of(const Session &session, std::string_view key, const Range &range);
 
 /// Controls without a label, each with its hint.
-/// A list that opens; true if another of `names` was chosen.
-bool combo(Session &session, const char *id, std::span<const std::string> names, std::size_t &chosen, const char *hint);
-bool button(Session &session, const std::string &label, const std::string &hint);
-bool small_button(Session &session, const std::string &label, const std::string &hint);
-bool checkbox(Session &session, const std::string &label, bool &on, const std::string &hint);
-bool radio_button(Session &session, const std::string &label, bool on, const std::string &hint);
-/// A button that stays pressed while `on`; `shown` in place of its label, which stays its name.
-bool toggle_button(Session &session, const std::string &label, bool on, const std::string &hint,
-                   const char *shown = nullptr);
+/// A list that opens, called `name`; true if another of `choices` was chosen.
+bool combo(Session &session, const std::string &name, std::span<const Label> choices, std::size_t &chosen,
+           const std::string &hint);
+bool button(Session &session, const Label &label, const std::string &hint);
+bool small_button(Session &session, const Label &label, const std::string &hint);
+bool checkbox(Session &session, const Label &label, bool &on, const std::string &hint);
+bool radio_button(Session &session, const Label &label, bool on, const std::string &hint);
+/// A button that stays pressed while `on`.
+bool toggle_button(Session &session, const Label &label, bool on, const std::string &hint);
 /// The edge of a panel, over `size` of the current window, upright if it is higher than wide: where along its way it
 /// is moved to, in window coordinates, by the mouse or, while it has the keys, by arrows. A right click, a double click
 /// and Enter set `chosen` to 0.

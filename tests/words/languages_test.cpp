@@ -1,0 +1,68 @@
+#include "words/row_words.h"
+#include "words/words.h"
+
+#include <gtest/gtest.h>
+#include <regex>
+#include <set>
+
+/// assets/words: every language says the same things.
+namespace sandbox {
+namespace {
+
+/// {0}, {1:.2f}, ...: the numbers of the values that a text takes.
+std::set<std::string> values_of(const std::string &text) {
+    static const std::regex value(R"(\{(\d*)(:[^}]*)?\})");
+    std::set<std::string> values;
+    for (std::sregex_iterator at(text.begin(), text.end(), value), end; at != end; ++at) {
+        values.insert((*at)[1]);
+    }
+    return values;
+}
+
+/// Lessons are translated one after another: what one lacks is shown in English.
+bool is_of_a_lesson(const std::string &key) { return key.starts_with("lesson."); }
+
+TEST(Languages, HaveTheSameKeysAndValues) {
+    const std::map<std::string, std::string> rows = row_texts();
+    for (const std::string_view language : languages) {
+        const Words words = words_in(language);
+        for (const auto &[key, text] : words.english().all()) {
+            const std::string *own = words.find(key);
+            if (own == nullptr) {
+                EXPECT_TRUE(is_of_a_lesson(key)) << language << " lacks " << key;
+                continue;
+            }
+            EXPECT_FALSE(own->empty()) << language << " " << key;
+            EXPECT_EQ(values_of(*own), values_of(text)) << language << " " << key;
+            EXPECT_FALSE(values_of(*own).contains("")) << key << ": values are named by their number";
+        }
+        for (const auto &[key, text] : words.all()) {
+            const bool of_a_row = language != "en" && rows.contains(key);
+            EXPECT_TRUE(words.english().find(key) != nullptr || of_a_row) << language << " has more: " << key;
+        }
+    }
+}
+
+/// In English a row's text stands in the row itself, and nowhere else.
+TEST(Languages, SayEveryRow) {
+    const Words english = words_in("en"), chinese = words_in("zh");
+    for (const auto &[key, text] : row_texts()) {
+        EXPECT_EQ(english.find(key), nullptr) << key;
+        EXPECT_NE(chinese.find(key), nullptr) << "zh lacks " << key << ": " << text;
+    }
+}
+
+TEST(Languages, NameWhatRowsSay) {
+    const Words english = words_in("en");
+    for (const TechniqueKey &key : technique_keys()) {
+        for (int value = 0; value < static_cast<int>(key.values.size()); ++value) {
+            EXPECT_EQ(title_of(english, key, value), title_of(key, value));
+        }
+    }
+    const Technique technique = parse_technique("per-vertex/phong:normals=model-matrix,power=stable");
+    EXPECT_EQ(title_of(english, technique), title_of(technique));
+    EXPECT_NE(title_of(words_in("zh"), technique).find("逐顶点"), std::string::npos);
+}
+
+} // namespace
+} // namespace sandbox
