@@ -1,11 +1,10 @@
 #include "commands/commands.h"
 
-#include "capture/picture.h"
+#include "capture/slide.h"
 #include "commands/interrupt.h"
 #include "commands/progress_bar.h"
 #include "commands/session.h"
 #include "image/png.h"
-#include "teach/lesson_format.h"
 #include "teach/lesson_read.h"
 #include "teach/lesson_report.h"
 #include "ui/views/painters.h"
@@ -15,9 +14,6 @@
 namespace sandbox {
 namespace {
 
-constexpr Size slide_size{1280, 720};
-constexpr int slide_samples = 4;
-
 struct LessonFlags {
     std::string lesson;
     std::filesystem::path out;
@@ -25,25 +21,6 @@ struct LessonFlags {
     bool json = false;
     std::string language{languages.front()};
 };
-
-PictureOptions slide_options(const LessonStep &step) {
-    PictureOptions options;
-    options.layout = parse_layout(words_of<StepLayout>[static_cast<std::size_t>(step.layout)]);
-    options.left = *step.left;
-    options.right = *step.right;
-    options.mesh_factors = {step.mesh_factors.x, step.mesh_factors.y};
-    options.size = slide_size;
-    options.display = step.display;
-    options.exposure = step.exposure;
-    options.gain = step.gain;
-    options.drawn_over.wireframe = step.wireframe;
-    options.samples = options.layout == Layout::difference || step.wireframe ? 1 : slide_samples;
-    options.labels = true;
-    if (step.look) {
-        options.marks.ring = glm::dvec3(step.look->at, step.look->radius);
-    }
-    return options;
-}
 
 /// The page and the slides. An error names the step.
 void write_lesson(const MeasuredLesson &measured, const std::filesystem::path &out, DrawingSession &session) {
@@ -66,8 +43,10 @@ int run_lesson(const LessonFlags &flags, const CommonOptions &common) {
     }
     const Assets assets = scene_assets(common);
     const Words words = words_in(flags.language, assets);
-    const std::vector<Lesson> lessons =
-        flags.lesson == "all" ? builtin_lessons(assets, words) : std::vector{open_lesson(flags.lesson, assets, words)};
+    const bool all = flags.lesson == "all", gallery = flags.lesson == "gallery";
+    const std::vector<Lesson> lessons = all       ? builtin_lessons(assets, words)
+                                        : gallery ? builtin_bugs(assets, words)
+                                                  : std::vector{open_lesson(flags.lesson, assets, words)};
     if (!flags.out.empty()) {
         make_folder(flags.out);
     }
@@ -88,8 +67,8 @@ int run_lesson(const LessonFlags &flags, const CommonOptions &common) {
         }
         bar.report(static_cast<double>(measured.size()) / static_cast<double>(lessons.size()));
     }
-    if (!flags.out.empty() && flags.lesson == "all") {
-        write_output(flags.out / "index.html", lessons_index(measured));
+    if (!flags.out.empty() && (all || gallery)) {
+        write_output(flags.out / "index.html", all ? lessons_index(measured) : gallery_sheet(measured));
     }
     if (flags.json) {
         print(lessons_json(measured, renderer));
@@ -107,13 +86,15 @@ int run_lesson(const LessonFlags &flags, const CommonOptions &common) {
 void add_lesson(CLI::App &app, CommonOptions &common, Run &run) {
     CLI::App &command = *app.add_subcommand("lesson", "Measure the claims of a lesson, and write it as a page");
     const auto flags = std::make_shared<LessonFlags>();
-    add_value(command, "NAME", "", flags->lesson, "Built-in lesson (see: list), path of a .json file, or all")
+    add_value(command, "NAME", "", flags->lesson,
+              "Built-in lesson or bug (see: list), path of a .json file, all lessons (all), or all bugs (gallery)")
         ->required();
     command.add_flag("--check", flags->check, "Print every claim with what was measured (the default without --out)");
     add_language(command, flags->language, "Language of its texts [en]");
     command.add_flag("--json", flags->json, "Print JSON instead");
     add_value(command, "--out", "DIR", flags->out,
-              "Write NAME.html and a picture a step, NAME-01.png, ..., into this folder; of all, index.html, too");
+              "Write NAME.html and a picture a step, NAME-01.png, ..., into this folder; of all and gallery, "
+              "index.html, too");
     command.footer(
         "Every claim is measured on the spot; exit code 1 if one does not hold. Run times are shown, never checked.\n"
         "A lesson is a JSON file (assets/lesson.schema.json describes it to editors), such as\n"

@@ -24,10 +24,13 @@ ordered_json list_scenes(const Assets &assets) {
     return scenes;
 }
 
-ordered_json list_lessons(const Assets &assets) {
+ordered_json list_lessons(const std::vector<Lesson> &all) {
     ordered_json lessons = ordered_json::array();
-    for (const Lesson &lesson : builtin_lessons(assets, words_in(languages.front(), assets))) {
+    for (const Lesson &lesson : all) {
         lessons.push_back({{"name", lesson.name}, {"title", lesson.title.text}, {"about", lesson.about.text}});
+        if (lesson.is_bug()) {
+            lessons.back()["source"] = lesson.source;
+        }
     }
     return lessons;
 }
@@ -80,6 +83,7 @@ std::string human_text(const ordered_json &all) {
     const ordered_json &techniques = all["techniques"];
     std::string out = section("Scenes", table(all["scenes"], "description", 2)) +
                       section("Lessons", table(all["lessons"], "title", 2)) +
+                      section("Famous bugs", table(all["bugs"], "about", 2)) +
                       "Techniques: FREQUENCY/MODEL[:key=value[,key=value]], the first value of a key is its default\n" +
                       section("  Frequencies", table(techniques["frequencies"], "doc", 4)) +
                       section("  Models", table(techniques["models"], "doc", 4)) + "  Keys\n";
@@ -96,9 +100,11 @@ struct ListFlags {
 
 int run_list(const ListFlags &flags, const CommonOptions &common) {
     const Assets assets = scene_assets(common);
+    const Words words = words_in(languages.front(), assets);
     const ordered_json all{{"version", SANDBOX_VERSION},
                            {"scenes", list_scenes(assets)},
-                           {"lessons", list_lessons(assets)},
+                           {"lessons", list_lessons(builtin_lessons(assets, words))},
+                           {"bugs", list_lessons(builtin_bugs(assets, words))},
                            {"techniques", list_techniques()},
                            {"stability", list_stability_cases(assets)}};
     print(flags.json ? all.dump(2) + "\n" : human_text(all));
@@ -108,7 +114,8 @@ int run_list(const ListFlags &flags, const CommonOptions &common) {
 } // namespace
 
 void add_list(CLI::App &app, CommonOptions &common, Run &run) {
-    CLI::App &command = *app.add_subcommand("list", "List built-in scenes, lessons, techniques and stability cases");
+    CLI::App &command =
+        *app.add_subcommand("list", "List built-in scenes, lessons, famous bugs, techniques and stability cases");
     const auto flags = std::make_shared<ListFlags>();
     command.add_flag("--json", flags->json, "Print JSON");
     run_when_chosen(command, common, run, flags, run_list);

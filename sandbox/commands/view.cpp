@@ -1,4 +1,5 @@
 #include "commands/commands.h"
+#include "teach/lesson_read.h"
 #include "ui/run_script.h"
 #include "ui/run_window.h"
 
@@ -8,7 +9,8 @@ namespace sandbox {
 namespace {
 
 struct ViewFlags {
-    std::string scene = "studio";
+    std::string scene = "studio";         ///< or a lesson's file
+    std::string lesson;                   ///< a built-in name or a path; empty: none
     std::optional<Technique> left, right; ///< absent: a sidecar's, the scene's or the window's own
     std::string script;                   ///< a file; empty: a person works the window
     std::optional<Size> size;
@@ -29,7 +31,14 @@ int run_view(const ViewFlags &flags, const CommonOptions &common) {
     WindowOptions options;
     options.assets = scene_assets(common);
     options.shaders = shader_assets(common);
-    options.file = open_file(flags.scene, options.assets, open_scene(common, flags.scene)); // with every --set
+    const bool lesson = is_lesson_file(flags.scene);
+    const std::string scene = lesson ? ViewFlags().scene : flags.scene;
+    options.file = open_file(scene, options.assets, open_scene(common, scene)); // with every --set
+    if (lesson || !flags.lesson.empty()) {
+        const std::string id = lesson ? flags.scene : flags.lesson;
+        options.lesson = is_lesson_file(id) ? std::filesystem::absolute(id).string() : id;
+        open_lesson(options.lesson, options.assets, words_in(languages.front(), options.assets)); // throws if bad
+    }
     if (flags.left) {
         options.file.left = flags.left;
         options.file.textbook_left = false;
@@ -59,12 +68,14 @@ void add_view(CLI::App &app, CommonOptions &common, Run &run) {
     add_value(app, "SCENE", "", flags->scene, "Without a command: the scene to open in the window");
     run = [flags, &common] { return run_view(*flags, common); };
     CLI::App &command = *app.add_subcommand("view", "Open the window (the default without a command)");
-    add_value(command, "SCENE", "", flags->scene, "Built-in name, or path of a .json, sidecar or .obj file")
+    add_value(command, "SCENE", "", flags->scene, "Built-in name, or path of a .json, sidecar, lesson or .obj file")
         ->capture_default_str();
     add_parsed(command, "--left", "T", flags->left, parse_technique,
                "Technique of the left view, A [the scene's, else per-vertex/blinn-phong]");
     add_parsed(command, "--right", "T", flags->right, parse_technique,
                "Technique of the right view, B [the scene's, else per-pixel/blinn-phong]");
+    add_value(command, "--lesson", "NAME", flags->lesson,
+              "Lesson to show: a built-in name (see: list) or a .json file");
     add_value(command, "--script", "FILE", flags->script,
               "Works the window by the actions in FILE, without a display; they are listed below");
     add_parsed(command, "--size", "WxH", flags->size, parse_size,

@@ -213,27 +213,25 @@ std::string said(const LessonClaim &claim) {
     return text + (claim.region ? ", in a part of the picture" : "");
 }
 
-void judge(const LessonClaim &claim, ClaimResult &result) {
-    const double value = result.value;
-    const auto settle = [&](bool passed, const std::string &bound) {
-        result.passed = passed && !std::isnan(value);
-        result.bound = bound;
-    };
-    if (claim.below) {
-        settle(value < *claim.below, "below " + short_number(*claim.below));
-    } else if (claim.above) {
-        settle(value > *claim.above, "above " + short_number(*claim.above));
-    } else if (claim.equals) {
-        settle(value == *claim.equals, "exactly " + short_number(*claim.equals));
-    } else if (claim.about) {
-        settle(value >= *claim.about / claim.within && value <= *claim.about * claim.within,
-               fmt::format("{} within a factor of {:g}", short_number(*claim.about), claim.within));
-    }
+std::string bound_words(const LessonClaim &claim) {
+    return claim.below    ? "below " + short_number(*claim.below)
+           : claim.above  ? "above " + short_number(*claim.above)
+           : claim.equals ? "exactly " + short_number(*claim.equals)
+           : claim.about  ? fmt::format("{} within a factor of {:g}", short_number(*claim.about), claim.within)
+                          : "";
 }
 
-ClaimResult measure_words(const LessonClaim &claim, const Measurement &measurement) {
+/// No comparison holds of NaN.
+bool holds(const LessonClaim &claim, double value) {
+    return claim.below    ? value < *claim.below
+           : claim.above  ? value > *claim.above
+           : claim.equals ? value == *claim.equals
+           : claim.about  ? value >= *claim.about / claim.within && value <= *claim.about * claim.within
+                          : true;
+}
+
+void measure_words(const LessonClaim &claim, const Measurement &measurement, ClaimResult &result) {
     const std::string code = measurement.code(claim.of);
-    ClaimResult result;
     std::vector<std::string> wrong;
     for (const bool wanted : {true, false}) {
         for (const std::string &word : wanted ? claim.has : claim.lacks) {
@@ -245,32 +243,23 @@ ClaimResult measure_words(const LessonClaim &claim, const Measurement &measureme
     result.value = static_cast<double>(wrong.size());
     result.passed = wrong.empty();
     result.measured = wrong.empty() ? "so it is" : list_of(wrong);
-    result.unit = "words";
-    return result;
 }
 
-ClaimResult measure_run_time(const LessonClaim &claim, const Measurement &measurement) {
+void measure_run_time(const LessonClaim &claim, const Measurement &measurement, ClaimResult &result) {
     const auto [first, second] = measurement.run_times(claim.of, claim.than.value_or(claim.of));
-    ClaimResult result;
-    result.checked = false;
     result.value = claim.than ? first / second : first;
-    result.unit = claim.than ? "" : "ms";
     result.measured = claim.than ? fmt::format("{} ms / {} ms = {:.2f}, on this machine, not checked",
                                                milliseconds_text(first), milliseconds_text(second), result.value)
                                  : milliseconds_text(first) + " ms, on this machine, not checked";
-    return result;
 }
 
-ClaimResult measure_metric(const LessonClaim &claim, const Measurement &measurement) {
-    ClaimResult result;
+void measure_metric(const LessonClaim &claim, const Measurement &measurement, ClaimResult &result) {
     result.value = measurement.value(claim.of);
     if (claim.than) {
         result.value /= measurement.value(*claim.than);
     }
-    result.unit = claim.than || !claim.meshes.empty() ? "" : metric_of(claim.metric).unit;
     result.measured = short_number(result.value);
-    judge(claim, result);
-    return result;
+    result.passed = holds(claim, result.value);
 }
 
 } // namespace
@@ -291,15 +280,32 @@ bool is_claim_metric(std::string_view name) {
     return std::ranges::find(names, name) != names.end();
 }
 
-std::vector<ClaimResult> measure_step(const LessonStep &step, const LessonDraw &draw) {
+ClaimResult claim_words(const LessonClaim &claim) {
+    ClaimResult result;
+    result.what = claim.says.text.empty() ? said(claim) : claim.says.text;
+    result.bound = bound_words(claim);
+    result.checked = claim.checked();
+    result.unit = claim.metric.empty()                  ? "words"
+                  : claim.than || !claim.meshes.empty() ? ""
+                                                        : metric_of(claim.metric).unit;
+    return result;
+}
+
+std::vector<ClaimResult> measure_step(const LessonStep &step, const LessonDraw &draw,
+                                      const std::function<void(const ClaimResult &)> &ready) {
     PictureShelf shelf(draw);
     std::vector<ClaimResult> results;
     for (const LessonClaim &claim : step.claims) {
         const Measurement measurement(step, claim, draw, shelf);
-        results.push_back(claim.metric.empty()              ? measure_words(claim, measurement)
-                          : claim.metric == run_time_metric ? measure_run_time(claim, measurement)
-                                                            : measure_metric(claim, measurement));
-        results.back().what = claim.says.text.empty() ? said(claim) : claim.says.text;
+        ClaimResult result = claim_words(claim);
+        const auto measure = claim.metric.empty()              ? measure_words
+                             : claim.metric == run_time_metric ? measure_run_time
+                                                               : measure_metric;
+        measure(claim, measurement, result);
+        if (ready) {
+            ready(result);
+        }
+        results.push_back(std::move(result));
     }
     return results;
 }

@@ -52,8 +52,11 @@ struct ClaimResult {
     bool passed = true; ///< also where nothing is checked
 };
 
-/// Throws InputError if a technique is refused for the scene.
-std::vector<ClaimResult> measure_step(const LessonStep &step, const LessonDraw &draw);
+/// A claim before it is measured: in words, with its bound.
+ClaimResult claim_words(const LessonClaim &claim);
+/// Hands each result to `ready` as soon as it is measured. Throws InputError if a technique is refused for the scene.
+std::vector<ClaimResult> measure_step(const LessonStep &step, const LessonDraw &draw,
+                                      const std::function<void(const ClaimResult &)> &ready = {});
 
 struct LessonResult {
     std::vector<std::vector<ClaimResult>> steps;

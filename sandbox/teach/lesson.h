@@ -2,6 +2,7 @@
 
 #include "image/image.h"
 #include "scene/motion.h"
+#include "scene/overlays.h"
 #include "scene/scene.h"
 #include "shading/technique.h"
 
@@ -78,7 +79,8 @@ struct Question {
 /// The layouts of capture/, which this room does not know.
 enum class StepLayout { single, side_by_side, wipe, difference, three_up };
 
-struct LessonStep {
+/// With what is drawn over every view.
+struct LessonStep : Overlays {
     Text title, text;
     JsonText scene_json;                  ///< a name, a path or a scene; absent: the last step's scene
     std::vector<std::string> set;         ///< PATH=VALUE: changes it
@@ -88,7 +90,6 @@ struct LessonStep {
     glm::dvec2 mesh_factors{1}; ///< of left and right
     Display display = Display::linear;
     double exposure = 1, gain = 1;
-    bool wireframe = false;
     std::optional<LookHere> look;
     std::optional<Question> question;
     bool asserts = true; ///< false: a step that claims nothing
@@ -100,9 +101,12 @@ struct LessonStep {
 struct Lesson {
     Text title, about;
     double order = 1000; ///< lessons are listed by it
+    Text seen, cure;     ///< of a famous bug: what people saw, and what helped
+    std::string source;  ///< ... and where it was told: a project and a number; empty: no bug
     std::vector<LessonStep> steps;
 
     std::string name; ///< the file's name without .json
+    [[nodiscard]] bool is_bug() const { return !source.empty(); }
 };
 
 } // namespace sandbox

@@ -13,6 +13,11 @@ inline constexpr std::array<std::string_view, 5> words_of<StepLayout>{"single", 
                                                                       "three-up"};
 template <> inline constexpr std::array<std::string_view, 2> words_of<Display>{"linear", "srgb"};
 
+/// A switch of a step for what is drawn over the views.
+constexpr auto overlay_field(const OverlayKind &kind) {
+    return field(kind.word, static_cast<bool LessonStep::*>(kind.on), any, kind.help);
+}
+
 constexpr Range share{.low = 0, .high = 1};
 constexpr Range above_zero{.low = 0, .above_low = true};
 constexpr Range mesh_factor{.low = least_mesh_factor, .high = most_mesh_factor};
@@ -75,8 +80,8 @@ inline constexpr auto format_of<LessonStep> =
            field("display", &LessonStep::display, any, "The transfer curve of the picture."),
            field("exposure", &LessonStep::exposure, above_zero, "A factor on the colours of the picture."),
            field("gain", &LessonStep::gain, above_zero, "A factor on a difference in the picture."),
-           field("wireframe", &LessonStep::wireframe, any, "Draws the triangles' edges."),
-           field("look", &LessonStep::look, any, "Where to look."),
+           overlay_field(overlay_kinds[0]), overlay_field(overlay_kinds[1]), overlay_field(overlay_kinds[2]),
+           overlay_field(overlay_kinds[3]), field("look", &LessonStep::look, any, "Where to look."),
            field("question", &LessonStep::question, any, "A question to think about."),
            field("asserts", &LessonStep::asserts, any, "false: the step claims nothing, and needs no claim."),
            field("claims", &LessonStep::claims, any, "What the text says, to be measured."));
@@ -89,6 +94,9 @@ inline constexpr auto format_of<Lesson> =
            field("title", &Lesson::title, any, "What the lesson is called.", {.needed = always<Lesson>}),
            field("about", &Lesson::about, any, "What it teaches, in one line."),
            field("order", &Lesson::order, any, "Lessons are listed in ascending order."),
+           field("seen", &Lesson::seen, any, "Of a famous bug: what people saw."),
+           field("cure", &Lesson::cure, any, "Of a famous bug: what helped."),
+           field("source", &Lesson::source, any, "Of a famous bug: where it was told, a project and a number."),
            field("steps", &Lesson::steps, any, "One after the other.", {.needed = always<Lesson>}));
 
 } // namespace sandbox

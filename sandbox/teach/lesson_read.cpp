@@ -20,7 +20,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::string_view lessons_folder = "lessons/";
+constexpr std::string_view lessons_folder = "lessons/", bugs_folder = "gallery/";
+static_assert(overlay_kinds.size() == 4, "format_of<LessonStep> has a row for each");
 
 /// Runs `work`; what it says is wrong is said with the file and the key.
 template <typename Work> auto at(const std::string &place, Work work) -> decltype(work()) {
@@ -137,6 +138,11 @@ class LessonReader : public TableReader<LessonReader, json> {
     }
     void finish(const json &json, const std::string &path, Lesson &lesson) const {
         expect(!lesson.steps.empty(), below(path, "steps"), "one step or more", json["steps"]);
+        for (const char *key : {"seen", "cure", "source"}) {
+            if (lesson.is_bug() != json.contains(key)) {
+                refuse(below(path, key), "expected seen, cure and source together");
+            }
+        }
     }
 };
 
@@ -202,6 +208,21 @@ class Resolver {
     }
 };
 
+/// `file`: below assets/.
+Lesson builtin_lesson(const std::string &file, const Assets &assets, const Words &words) {
+    const fs::path folder = assets.folder().empty() ? fs::path() : (assets.folder() / file).parent_path();
+    return parse_lesson(assets.read(file).value_or(""), file, folder, assets, words);
+}
+
+std::vector<Lesson> lessons_in(std::string_view folder, const Assets &assets, const Words &words) {
+    std::vector<Lesson> lessons;
+    for (const std::string &file : assets.list(folder)) {
+        lessons.push_back(builtin_lesson(file, assets, words));
+    }
+    std::ranges::stable_sort(lessons, {}, &Lesson::order);
+    return lessons;
+}
+
 } // namespace
 
 Lesson parse_lesson(std::string_view text, const fs::path &file, const fs::path &folder, const Assets &assets,
@@ -220,13 +241,20 @@ Lesson parse_lesson(std::string_view text, const fs::path &file, const fs::path 
 }
 
 std::vector<Lesson> builtin_lessons(const Assets &assets, const Words &words) {
-    const fs::path folder = assets.folder().empty() ? fs::path() : assets.folder() / lessons_folder;
-    std::vector<Lesson> lessons;
-    for (const std::string &path : assets.list(lessons_folder)) {
-        lessons.push_back(parse_lesson(assets.read(path).value_or(""), path, folder, assets, words));
+    return lessons_in(lessons_folder, assets, words);
+}
+
+std::vector<Lesson> builtin_bugs(const Assets &assets, const Words &words) {
+    return lessons_in(bugs_folder, assets, words);
+}
+
+bool is_lesson_file(const fs::path &file) {
+    std::error_code error;
+    if (file.extension() != ".json" || !fs::is_regular_file(file, error)) {
+        return false;
     }
-    std::ranges::stable_sort(lessons, {}, &Lesson::order);
-    return lessons;
+    const json read = json::parse(read_file(file), nullptr, false);
+    return read.is_object() && (read.contains("steps") || read.contains("title"));
 }
 
 Lesson open_lesson(const std::string &name_or_file, const Assets &assets, const Words &words) {
@@ -234,15 +262,17 @@ Lesson open_lesson(const std::string &name_or_file, const Assets &assets, const 
     if (path.has_parent_path() || path.extension() == ".json") {
         return parse_lesson(read_file(path), path, fs::absolute(path).parent_path(), assets, words);
     }
-    const std::vector<Lesson> lessons = builtin_lessons(assets, words);
-    std::vector<std::string_view> names;
-    for (const Lesson &lesson : lessons) {
-        if (lesson.name == name_or_file) {
-            return lesson;
+    std::vector<std::string> names;
+    for (const std::string_view folder : {lessons_folder, bugs_folder}) {
+        for (const std::string &file : assets.list(folder)) {
+            names.push_back(fs::path(file).stem().string());
+            if (names.back() == name_or_file) {
+                return builtin_lesson(file, assets, words);
+            }
         }
-        names.push_back(lesson.name);
     }
-    const std::string_view nearest = nearest_word(name_or_file, names);
+    const std::vector<std::string_view> known(names.begin(), names.end());
+    const std::string_view nearest = nearest_word(name_or_file, known);
     throw InputError("{}: no built-in lesson of that name{}", name_or_file,
                      nearest.empty() ? " (see: shading-sandbox list)" : fmt::format("; did you mean \"{}\"?", nearest));
 }

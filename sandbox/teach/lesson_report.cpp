@@ -50,6 +50,14 @@ std::string step_html(std::size_t number, const LessonStep &step, const std::vec
         techniques_words(step), question, claims_html(claims));
 }
 
+/// Empty of a lesson that is none.
+std::string bug_facts(const Lesson &lesson) {
+    return lesson.is_bug() ? fmt::format("<p><b>Seen:</b> {}<br><b>Cure:</b> {}<br><b>Told in:</b> {}</p>",
+                                         html::escaped(lesson.seen.text), html::escaped(lesson.cure.text),
+                                         html::escaped(lesson.source))
+                           : "";
+}
+
 } // namespace
 
 std::string lesson_table(const MeasuredLesson &measured) {
@@ -102,9 +110,10 @@ std::string lesson_html(const MeasuredLesson &measured, std::span<const ByteImag
                         const std::string &renderer) {
     const auto &[lesson, result] = measured;
     std::string body = fmt::format(
-        R"(<header><p class="kicker">Lesson</p><h1>{}</h1><p class="lead">{}</p><p class="facts">Every claim was )"
+        R"(<header><p class="kicker">{}</p><h1>{}</h1><p class="lead">{}</p>{}<p class="facts">Every claim was )"
         "measured when this page was made &middot; {} &middot; Shading Sandbox {}</p></header>\n",
-        html::escaped(lesson.title.text), html::escaped(lesson.about.text), html::escaped(renderer), SANDBOX_VERSION);
+        lesson.is_bug() ? "Famous bug" : "Lesson", html::escaped(lesson.title.text), html::escaped(lesson.about.text),
+        bug_facts(lesson), html::escaped(renderer), SANDBOX_VERSION);
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
         body += step_html(i + 1, lesson.steps[i], result.steps[i], pictures[i]);
     }
@@ -128,6 +137,19 @@ std::string lessons_index(std::span<const MeasuredLesson> measured) {
     }
     return html::page("Lessons",
                       "<header><p class=\"kicker\">Shading Sandbox</p><h1>Lessons</h1></header>\n" + table.html());
+}
+
+std::string gallery_sheet(std::span<const MeasuredLesson> measured) {
+    std::string figures;
+    for (const auto &[lesson, result] : measured) {
+        figures += fmt::format("<figure><a href=\"{0}.html\"><img alt=\"{1}\" src=\"{0}-01.png\"></a>"
+                               "<figcaption><b>{1}</b>{2}{3}</figcaption></figure>\n",
+                               html::escaped(lesson.name), html::escaped(lesson.title.text), bug_facts(lesson),
+                               result.passed() ? "" : "<p class=\"bad\">A claim does not hold.</p>");
+    }
+    return html::page("Famous bugs", "<header><p class=\"kicker\">Shading Sandbox</p><h1>Famous bugs</h1></header>\n"
+                                     "<div class=\"figures\">" +
+                                         figures + "</div>\n");
 }
 
 } // namespace sandbox

@@ -30,4 +30,7 @@ std::string lesson_html(const MeasuredLesson &measured, std::span<const ByteImag
 /// A page that links to the pages NAME.html of all.
 std::string lessons_index(std::span<const MeasuredLesson> measured);
 
+/// Famous bugs on one sheet: of each the picture NAME-01.png, what people saw, the cure and the source.
+std::string gallery_sheet(std::span<const MeasuredLesson> measured);
+
 } // namespace sandbox

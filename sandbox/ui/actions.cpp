@@ -14,6 +14,7 @@ namespace {
 
 constexpr auto keys = Action::Group::key_only;
 constexpr auto edit = Action::Group::edit;
+constexpr auto lesson = Action::Group::lesson;
 constexpr auto window = Action::Group::window;
 constexpr int plain = 0;
 constexpr int shift = GLFW_MOD_SHIFT;
@@ -65,6 +66,8 @@ bool shows_masks(const Session &s) { return s.view.masks; }
 void switch_display(Session &s) {
     s.document.display = s.document.display == Display::linear ? Display::srgb : Display::linear;
 }
+void show_answer(Session &s) { s.answer_shown = !s.answer_shown; }
+bool shows_answer(const Session &s) { return s.answer_shown; }
 void ask_for_capture(Session &s) { s.requests.capture = true; }
 void ask_for_window_capture(Session &s) { s.requests.capture_window = true; }
 void ask_for_folder(Session &s) { s.requests.open_folder = true; }
@@ -75,6 +78,8 @@ std::vector<Action> make_actions() {
     const auto larger = scale_by(1.1F);
     const auto smaller = scale_by(1 / 1.1F);
     const auto can_undo = [](const Session &s) { return s.history.can_undo(); };
+    const auto in_lesson = [](const Session &s) { return s.document.step != nullptr; };
+    const auto has_answer = [](const Session &s) { return s.document.step && s.document.step->step().question; };
     const auto can_redo = [](const Session &s) { return s.history.can_redo(); };
     std::vector<Action> all{
         show_layout('1', "side by side", "A and B beside each other", Layout::side_by_side),
@@ -104,6 +109,36 @@ std::vector<Action> make_actions() {
         {keys, plain, GLFW_KEY_PERIOD, ".", "a moment on", "", [](Session &s) { step_motion(s, 1); }, {}, {}, true},
         {keys, plain, GLFW_KEY_F12, "F12", "capture the views as a PNG", "", ask_for_capture},
         {keys, shift, GLFW_KEY_F12, "Shift+F12", "capture the whole window", "", ask_for_window_capture},
+        {lesson,
+         plain,
+         GLFW_KEY_PAGE_DOWN,
+         "Page down",
+         "the next step",
+         "",
+         [](Session &s) { go_on(s, 1); },
+         {},
+         in_lesson,
+         true},
+        {lesson,
+         plain,
+         GLFW_KEY_PAGE_UP,
+         "Page up",
+         "the step before",
+         "",
+         [](Session &s) { go_on(s, -1); },
+         {},
+         in_lesson,
+         true},
+        {lesson,
+         plain,
+         GLFW_KEY_HOME,
+         "Home",
+         "back to the step",
+         "undoes what you changed in it",
+         restore_step,
+         {},
+         step_is_changed},
+        {lesson, plain, GLFW_KEY_END, "End", "the answer", "shows and hides it", show_answer, shows_answer, has_answer},
         switch_flag(GLFW_KEY_TAB, "Tab", "panels", &Appearance::panels),
         switch_flag(GLFW_KEY_F11, "F11", "full screen", &Appearance::full_screen),
         switch_flag(GLFW_KEY_T, "T", "dark", &Appearance::dark),

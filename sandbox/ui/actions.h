@@ -10,7 +10,7 @@ namespace sandbox {
 
 /// What a key, a menu item or a button of the menu bar does: all of them, and the list of keys, read these rows.
 struct Action {
-    enum class Group { key_only, layout, edit, window }; ///< layout: buttons; edit, window: menus
+    enum class Group { key_only, layout, edit, lesson, window }; ///< layout: buttons; the last three: menus
 
     Group group;
     int mods, key;     ///< GLFW's; key -1: none

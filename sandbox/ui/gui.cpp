@@ -6,6 +6,7 @@
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
+#include <utility>
 
 namespace sandbox {
 
@@ -49,7 +50,7 @@ void Gui::restyle(bool dark, float scale) {
     dark_ = dark;
 }
 
-void Gui::begin_frame(const Appearance &appearance) {
+void Gui::begin_frame(const Appearance &appearance, bool lesson) {
     const float scale = appearance.scale * host_.content_scale();
     if (scale != scale_ || appearance.dark != dark_) {
         restyle(appearance.dark, scale);
@@ -58,6 +59,11 @@ void Gui::begin_frame(const Appearance &appearance) {
     host_.feed_gui();
     ImGuiIO &io = ImGui::GetIO();
     io.KeyMap[ImGuiKey_Tab] = io.KeyCtrl ? GLFW_KEY_TAB : -1; // Ctrl+Tab goes to the next panel, Tab hides them all
+    for (const auto &[key, code] :
+         {std::pair(ImGuiKey_PageUp, GLFW_KEY_PAGE_UP), std::pair(ImGuiKey_PageDown, GLFW_KEY_PAGE_DOWN),
+          std::pair(ImGuiKey_Home, GLFW_KEY_HOME), std::pair(ImGuiKey_End, GLFW_KEY_END)}) {
+        io.KeyMap[key] = lesson ? -1 : code;
+    }
     ImGui::NewFrame();
 }
 

@@ -16,8 +16,9 @@ class Gui {
     Gui(const Gui &) = delete;
     Gui &operator=(const Gui &) = delete;
 
-    /// Begins a frame with this theme and scale; loads new fonts if the scale changed.
-    void begin_frame(const Appearance &appearance);
+    /// Begins a frame with this theme and scale; loads new fonts if the scale changed. `lesson`: Page up and down, Home
+    /// and End go through its steps, and scroll nothing.
+    void begin_frame(const Appearance &appearance, bool lesson);
     /// Lays the frame out. False if it would show what the last one does; `pictures` counts the changes of the
     /// textures that it shows.
     bool end_frame(unsigned long pictures);

@@ -37,14 +37,16 @@ const HelpLine mouse_help[] = {
     {"double click", "camera as opened"},
     {"Ctrl+click", "type a slider's number"},
     {"right click", "back to the scene's value"},
-    {"drop a file", "open a scene, a model or a capture's .json; a .png or .jpg: the texture of the object shown"},
+    {"drop a file",
+     "open a scene, a lesson, a model or a capture's .json; a .png or .jpg: the texture of the object shown"},
 };
 
 std::vector<HelpLine> help_lines() {
     using Group = Action::Group;
     std::vector<HelpLine> lines;
-    for (const auto &[group, title] : {std::pair(Group::layout, "Views"), std::pair(Group::key_only, "Keys"),
-                                       std::pair(Group::edit, "Edit"), std::pair(Group::window, "Window and tabs")}) {
+    for (const auto &[group, title] :
+         {std::pair(Group::layout, "Views"), std::pair(Group::key_only, "Keys"), std::pair(Group::edit, "Edit"),
+          std::pair(Group::lesson, "Lesson"), std::pair(Group::window, "Window and tabs")}) {
         lines.push_back({"", title});
         for (const Action &action : actions()) {
             if (action.group == group && !action.shown.empty()) {
@@ -113,7 +115,8 @@ void press_key(Session &session, int key, int mods, bool repeated, bool typing) 
     const auto found = std::ranges::find_if(actions(), [&](const Action &action) {
         return action.key == key && action.mods == held && (!repeated || action.repeats);
     });
-    if (found != actions().end() && (!typing || while_typing)) {
+    const bool usable = found != actions().end() && (!found->is_usable || found->is_usable(session));
+    if (usable && (!typing || while_typing)) {
         found->run(session);
     }
 }

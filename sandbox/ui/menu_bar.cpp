@@ -45,10 +45,7 @@ void scene_menu(Session &session) {
     ImGui::EndMenu();
 }
 
-void action_menu(Session &session, const char *title, Action::Group group) {
-    if (!begin_menu(session, title)) {
-        return;
-    }
+void action_items(Session &session, const char *title, Action::Group group) {
     for (const Action &action : actions()) {
         if (action.group == group) {
             const ScopedName menu(session, title);
@@ -61,6 +58,40 @@ void action_menu(Session &session, const char *title, Action::Group group) {
             describe_item(session, action.name, "");
         }
     }
+}
+
+void action_menu(Session &session, const char *title, Action::Group group) {
+    if (begin_menu(session, title)) {
+        action_items(session, title, group);
+        ImGui::EndMenu();
+    }
+}
+
+void lesson_items(Session &session, bool bugs) {
+    const std::string shown = session.document.step ? session.document.step->id : "";
+    for (const ListedLesson &lesson : session.lessons) {
+        if (lesson.bug == bugs) {
+            const ScopedName menu(session, "Lesson");
+            if (ImGui::MenuItem(lesson.title.c_str(), nullptr, lesson.name == shown)) {
+                session.requests.open_lesson = lesson.name;
+            }
+            describe_item(session, lesson.name, "", lesson.title);
+        }
+    }
+}
+
+void lesson_menu(Session &session) {
+    if (!begin_menu(session, "Lesson")) {
+        return;
+    }
+    lesson_items(session, false);
+    if (begin_menu(session, "Famous bugs")) {
+        lesson_items(session, true);
+        ImGui::EndMenu();
+    }
+    ImGui::Separator();
+    action_items(session, "Lesson", Action::Group::lesson);
+    session.requests.ask_open = ImGui::MenuItem("Open a lesson file...", "Ctrl+O") || session.requests.ask_open;
     ImGui::EndMenu();
 }
 
@@ -120,6 +151,7 @@ void menu_bar(Session &session) {
         return;
     }
     scene_menu(session);
+    lesson_menu(session);
     action_menu(session, "Edit", Action::Group::edit);
     action_menu(session, "Window", Action::Group::window);
     language_menu(session);

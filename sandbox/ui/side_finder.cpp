@@ -130,6 +130,20 @@ void SideFinder::cancel_job() {
     timed_ = task_ == Task::times ? std::nullopt : timed_;
 }
 
+/// Of the lesson's next step, one after the other; nothing once all is made.
+std::optional<SlowPicture> SideFinder::ahead(const Session &session, ViewPainter &painter) {
+    if (session.document.step == ahead_of_) {
+        return std::nullopt;
+    }
+    for (const bool right : {false, true}) {
+        if (auto slow = painter.slow_ahead(session, right)) {
+            return slow;
+        }
+    }
+    ahead_of_ = session.document.step;
+    return std::nullopt;
+}
+
 void SideFinder::update(const Session &session, ViewPainter &painter) {
     if (job_ && job_->state() != JobState::running) {
         end_job(painter);
@@ -161,6 +175,8 @@ void SideFinder::update(const Session &session, ViewPainter &painter) {
     } else if (!ImGui::IsAnyItemActive() && !session.playback.playing) {
         if (judged_ != shown) {
             find_errors_of(shown);
+        } else if (const auto slow = ahead(session, painter)) {
+            start_making(*slow);
         } else if (keys && smoothed_ != keys) {
             smooth(*keys);
         } else if (timed_ != shown && found_) {

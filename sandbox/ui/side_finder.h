@@ -12,7 +12,8 @@
 namespace sandbox {
 
 /// In the background, with a renderer of its own: makes the pictures that the painter awaits and, while nothing is
-/// dragged and nothing plays, finds both sides' errors, then smooths the pictures, then takes run times. What is out of
+/// dragged and nothing plays, finds both sides' errors, then builds what the lesson's
+/// next step draws with, smooths the pictures, and takes run times. What is out of
 /// date is stopped.
 class SideFinder {
   public:
@@ -35,6 +36,7 @@ class SideFinder {
     void find_errors_of(const SidesShown &shown);
     void smooth(const ViewKeys &keys);
     void find_times_of(const SidesShown &shown);
+    std::optional<SlowPicture> ahead(const Session &session, ViewPainter &painter);
     void end_job(ViewPainter &painter);
     void cancel_job();
 
@@ -46,7 +48,8 @@ class SideFinder {
     std::optional<SlowPicture> made_;
     std::optional<SidesShown> judged_, timed_;
     std::optional<ViewKeys> smoothed_;
-    std::optional<Image> made_image_; ///< the job's, until it has ended
+    std::shared_ptr<const ShownStep> ahead_of_; ///< the step whose next one has been made ahead
+    std::optional<Image> made_image_;           ///< the job's, until it has ended
     std::mutex mutex_;
     std::shared_ptr<const Findings> found_;        ///< guarded by mutex_; of judged_
     std::shared_ptr<const SmoothPictures> smooth_; ///< guarded by mutex_; of smoothed_

@@ -5,6 +5,7 @@
 #include "image/image_file.h"
 #include "render/context.h"
 #include "scene/scene_file.h"
+#include "teach/lesson_read.h"
 #include "ui/desktop.h"
 #include "ui/frame.h"
 #include "ui/keys.h"
@@ -53,7 +54,11 @@ Window::Window(const WindowOptions &options, Host &host)
     for (std::string &texture : session_.textures) {
         texture.erase(0, std::string("textures/").size());
     }
+    session_.progress = settings_.lessons;
     attempt(session_, "", [&] { load(options.file.scene, options.message); });
+    if (!options.lesson.empty()) {
+        open_lesson(options.lesson, 0);
+    }
 }
 
 void Window::play_moment() {
@@ -146,7 +151,7 @@ void Window::draw() {
     }
     host_.set_full_screen(session_.appearance.full_screen);
     session_.widgets.begin_frame();
-    gui_.begin_frame(session_.appearance);
+    gui_.begin_frame(session_.appearance, session_.document.step != nullptr);
     finder_.update(session_, painter_);
     draw_frame(session_, painter_, bottom_);
     dialog_.draw(session_, settings_.recent);
@@ -169,6 +174,9 @@ void Window::answer_requests() {
     session_.requests.quit = requests.quit;
     if (requests.open) {
         open(*requests.open);
+    }
+    if (requests.open_lesson) {
+        open_lesson(*requests.open_lesson, requests.open_step);
     }
     if (requests.save) {
         save(*requests.save);
@@ -226,8 +234,33 @@ void Window::put_texture(const std::filesystem::path &image) {
     });
 }
 
+/// Throws InputError.
+std::shared_ptr<const Lesson> Window::read_lesson(const std::string &name_or_path) const {
+    return std::make_shared<const Lesson>(sandbox::open_lesson(name_or_path, assets_, session_.words));
+}
+
+/// In its tab. A bad one changes nothing.
+void Window::open_lesson(const std::string &name_or_path, std::size_t step) {
+    attempt(session_, "", [&] {
+        const bool file = is_lesson_file(name_or_path);
+        const std::string id = file ? std::filesystem::absolute(name_or_path).string() : name_or_path;
+        const auto lesson = read_lesson(id);
+        load(lesson->steps[std::min(step, lesson->steps.size() - 1)].scene, "");
+        show_step(session_, lesson, id, step);
+        session_.message = {session_.text("lesson_tab.opened", lesson->title.text), false};
+        session_.appearance.tab = tab_made_by(lesson_tab);
+        session_.appearance.panels = true;
+        if (file) {
+            add_recent(settings_, id);
+        }
+    });
+}
+
 void Window::open(const std::string &name_or_path) {
     attempt(session_, "", [&] {
+        if (is_lesson_file(name_or_path)) {
+            return open_lesson(name_or_path, 0);
+        }
         const OpenedFile file = open_file(name_or_path, assets_);
         take_opened(file);
         if (std::filesystem::is_regular_file(name_or_path)) {
@@ -236,7 +269,22 @@ void Window::open(const std::string &name_or_path) {
     });
 }
 
-void Window::speak(const std::string &language) { session_.words = words_in(language, assets_); }
+/// Lessons, too, are read in this language.
+void Window::speak(const std::string &language) {
+    session_.words = words_in(language, assets_);
+    session_.lessons.clear();
+    attempt(session_, "", [&] {
+        for (const auto read : {builtin_lessons, builtin_bugs}) {
+            for (const Lesson &lesson : read(assets_, session_.words)) {
+                session_.lessons.push_back({lesson.name, lesson.title.text, lesson.is_bug()});
+            }
+        }
+        if (const auto shown = session_.document.step) {
+            session_.document.step = std::make_shared<const ShownStep>(
+                ShownStep{read_lesson(shown->id), shown->id, shown->number, shown->before});
+        }
+    });
+}
 
 /// Throws InputError, and then nothing changes.
 void Window::take_opened(const OpenedFile &file) {
@@ -284,6 +332,7 @@ void Window::keep_settings() {
     settings_.panels = session_.appearance.panels;
     settings_.scale = static_cast<double>(session_.appearance.scale);
     settings_.panel_sizes = session_.appearance.sizes;
+    settings_.lessons = session_.progress;
     const Size size = host_.framebuffer_size();
     if (!session_.appearance.full_screen && size.width >= least_window.width && size.height >= least_window.height) {
         const auto scale = static_cast<double>(host_.content_scale());

@@ -21,7 +21,8 @@
 namespace sandbox {
 
 struct WindowOptions {
-    OpenedFile file; ///< shown first
+    OpenedFile file;    ///< shown first
+    std::string lesson; ///< then this one: a built-in name or a path; empty: none
     /// If the file names no techniques:
     Technique left{.frequency = Frequency::per_vertex, .model = Model::blinn_phong}; ///< one cause of difference
     Technique right{.frequency = Frequency::per_pixel, .model = Model::blinn_phong};
@@ -67,6 +68,8 @@ class Window {
     void take_dropped(const std::string &path);
     void put_texture(const std::filesystem::path &image);
     void open(const std::string &name_or_path);
+    void open_lesson(const std::string &name_or_path, std::size_t step);
+    [[nodiscard]] std::shared_ptr<const Lesson> read_lesson(const std::string &name_or_path) const;
     void load(const Scene &scene, const std::string &message);
     void capture();
     void end_capture(const CaptureQueue::Outcome &outcome);

@@ -30,6 +30,9 @@ TEST(LessonCommand, ListNamesLessonsInTheirOrder) {
     EXPECT_EQ(lessons[0]["name"], "vertex-or-pixel");
     EXPECT_EQ(lessons[0]["title"], "Per vertex or per pixel") << "not its key";
     EXPECT_NE(run_sandbox({"list"}).out.find("Per vertex or per pixel"), std::string::npos);
+    const auto bugs = nlohmann::json::parse(result.out)["bugs"];
+    ASSERT_FALSE(bugs.empty());
+    EXPECT_NE(bugs[0]["source"], "");
 }
 
 } // namespace

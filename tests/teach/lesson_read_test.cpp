@@ -87,6 +87,35 @@ TEST(LessonRead, ATextIsPlainKeyedOrInTwoLanguages) {
               "mine.json: title.eng: unknown language; did you mean \"en\"?");
 }
 
+TEST(LessonRead, AFamousBugSaysWhatWasSeenTheCureAndItsSource) {
+    const std::string steps = R"("steps": [)" + step_of(R"("scene": "point-light")") + "]}";
+    const Lesson bug = parse(R"({"title": "T", "seen": "s", "cure": "c", "source": "engine 1", )" + steps);
+    EXPECT_TRUE(bug.is_bug());
+    EXPECT_EQ(bug.cure.text, "c");
+    EXPECT_FALSE(parse(R"({"title": "T", )" + steps).is_bug());
+    EXPECT_EQ(error(R"({"title": "T", "seen": "s", "source": "engine 1", )" + steps),
+              "mine.json: cure: expected seen, cure and source together");
+    EXPECT_EQ(error(R"({"title": "T", "seen": "s", )" + steps),
+              "mine.json: seen: expected seen, cure and source together");
+}
+
+TEST(LessonRead, AStepDrawsOverlaysByTheirWords) {
+    const Lesson lesson = parse(lesson_of(step_of(R"("scene": "point-light", "normals": true)")));
+    EXPECT_EQ(static_cast<const Overlays &>(lesson.steps[0]), (Overlays{.normals = true}));
+}
+
+TEST(LessonRead, ALessonFileIsToldFromAScene) {
+    const TemporaryFolder folder;
+    folder.write("lesson.json", lesson_of("{}")); // a bad one is one, too
+    folder.write("scene.json", R"({"name": "x", "lights": []})");
+    folder.write("broken.json", "{");
+    folder.write("lesson.txt", lesson_of("{}"));
+    EXPECT_TRUE(is_lesson_file(folder.file("lesson.json")));
+    for (const char *other : {"scene.json", "broken.json", "lesson.txt", "absent.json"}) {
+        EXPECT_FALSE(is_lesson_file(folder.file(other))) << other;
+    }
+}
+
 TEST(LessonRead, AStepThatAssertsHasAClaimThatIsChecked) {
     const std::string step = R"({"title": "t", "text": "x", "scene": "point-light")";
     const std::string wanted = "mine.json: steps[0].claims: expected a claim that is checked, or \"asserts\": false";
@@ -152,9 +181,18 @@ TEST(LessonSchema, IsUpToDate) {
         << "assets/lesson.schema.json anew, and say so in the CHANGELOG";
 }
 
+/// Of the gallery, too.
+std::vector<std::string> lesson_files() {
+    std::vector<std::string> files = assets.list("lessons/");
+    for (const std::string &path : assets.list("gallery/")) {
+        files.push_back(path);
+    }
+    return files;
+}
+
 TEST(LessonSchema, AcceptsTheBuiltInLessonsAndRefusesOtherKeys) {
     const auto schema = nlohmann::json::parse(lesson_schema());
-    for (const std::string &path : assets.list("lessons/")) {
+    for (const std::string &path : lesson_files()) {
         EXPECT_TRUE(SchemaValidator(schema).accepts(nlohmann::json::parse(*assets.read(path)))) << path;
     }
     auto lesson = nlohmann::json::parse(lesson_of(step_of(R"("scene": "point-light")")));
@@ -172,8 +210,12 @@ std::size_t words_in(const std::string &text) {
 }
 
 TEST(BuiltInLessons, AreShortAndWhole) {
-    const std::vector<Lesson> lessons = builtin_lessons(assets, words_in("en", assets));
-    EXPECT_FALSE(lessons.empty());
+    std::vector<Lesson> lessons = builtin_bugs(assets, words_in("en", assets));
+    EXPECT_GE(lessons.size(), 15U);
+    for (const Lesson &lesson : builtin_lessons(assets, words_in("en", assets))) {
+        EXPECT_FALSE(lesson.is_bug());
+        lessons.push_back(lesson);
+    }
     for (const Lesson &lesson : lessons) {
         EXPECT_FALSE(lesson.about.text.empty()) << lesson.name;
         for (const LessonStep &step : lesson.steps) {
@@ -217,7 +259,7 @@ TEST(BuiltInLessons, MeasureEveryFault) {
 /// The texts stand in words/, for translators: no lesson holds its own, and no text is left over.
 TEST(BuiltInLessons, HoldKeysOfTexts) {
     std::set<std::string> used, known;
-    for (const std::string &path : assets.list("lessons/")) {
+    for (const std::string &path : lesson_files()) {
         const auto lesson = nlohmann::json::parse(*assets.read(path));
         const auto take = [&](const nlohmann::json &from, std::initializer_list<const char *> keys) {
             for (const char *key : keys) {
@@ -228,7 +270,7 @@ TEST(BuiltInLessons, HoldKeysOfTexts) {
                 }
             }
         };
-        take(lesson, {"title", "about"});
+        take(lesson, {"title", "about", "seen", "cure"});
         for (const auto &step : lesson["steps"]) {
             take(step, {"title", "text"});
             take(step.value("question", nlohmann::json::object()), {"asks", "answer"});
@@ -239,7 +281,7 @@ TEST(BuiltInLessons, HoldKeysOfTexts) {
     }
     const auto words = nlohmann::json::parse(*assets.read("words/en.json"));
     for (const auto &[key, text] : words.items()) {
-        if (key.starts_with("lesson.")) { // others are the window's
+        if (key.starts_with("lesson.") || key.starts_with("bug.")) { // others are the window's
             known.insert(key);
         }
     }

@@ -19,7 +19,9 @@ class LessonsOnTheRenderer : public GlTest {
 };
 
 TEST_F(LessonsOnTheRenderer, NoLessonLies) {
-    for (const Lesson &lesson : lessons_) {
+    std::vector<Lesson> all = builtin_bugs(assets_, words_in("en", assets_));
+    all.insert(all.end(), lessons_.begin(), lessons_.end());
+    for (const Lesson &lesson : all) {
         const MeasuredLesson measured{lesson, measure_lesson(lesson, draw_)};
         EXPECT_TRUE(measured.result.passed()) << lesson_table(measured);
     }

@@ -17,6 +17,8 @@ struct OpenedScene {
     Scene scene;
 };
 
+struct ShownStep;
+
 /// All that edits change and undo restores.
 struct Document {
     Scene scene;
@@ -29,6 +31,7 @@ struct Document {
     /// Minimum aspect: narrower views widen the field of view; 0 disables.
     double least_aspect = 1.2;
     std::shared_ptr<const OpenedScene> opened;
+    std::shared_ptr<const ShownStep> step; ///< of the lesson that is shown; null: none
     bool operator==(const Document &) const = default;
     [[nodiscard]] bool left_is_textbook() const { return textbook == left; }
 };

@@ -58,13 +58,17 @@ void toggle_tab(Session &session, std::size_t tab) {
 
 void undo(Session &session) {
     session.history.record(session.document);
+    const auto step = session.document.step;
     session.document = session.history.undo();
+    follow_step(session, step, true);
     keep_object_valid(session);
 }
 
 void redo(Session &session) {
     session.history.record(session.document);
+    const auto step = session.document.step;
     session.document = session.history.redo();
+    follow_step(session, step, false);
     keep_object_valid(session);
 }
 

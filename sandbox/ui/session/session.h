@@ -8,6 +8,7 @@
 #include "ui/session/label.h"
 #include "ui/session/pixel_findings.h"
 #include "ui/session/playback.h"
+#include "ui/session/shown_lesson.h"
 #include "ui/session/widget_map.h"
 #include "words/words.h"
 
@@ -88,6 +89,8 @@ struct Requests {
     bool capture_window = false;                  ///< all that the window shows
     bool open_folder = false;                     ///< of captures
     std::optional<std::string> open;              ///< a built-in name or a path
+    std::optional<std::string> open_lesson;       ///< likewise
+    std::size_t open_step = 0;                    ///< of that lesson
     std::optional<std::string> save;              ///< a path for the scene
     std::optional<std::string> language;          ///< of languages
     bool ask_open = false, ask_save = false;      ///< for a path
@@ -113,7 +116,10 @@ struct Session {
     bool same_picture = false;         ///< A and B draw the same picture of the scene, as last drawn
     std::vector<std::string> scenes;   ///< built-in ones, in the order they are taught
     std::vector<std::string> textures; ///< built-in ones
-    WidgetMap widgets;                 ///< for scripts
+    std::vector<ListedLesson> lessons; ///< built-in ones, famous bugs behind the others
+    LessonProgress progress;
+    bool answer_shown = false; ///< of the step's question
+    WidgetMap widgets;         ///< for scripts
     Words words = words_in(languages.front());
 
     explicit Session(Document first) : document(first), history(std::move(first)) {}

@@ -52,6 +52,10 @@ Settings read_settings(const fs::path &file, std::string &message) {
         settings.language = std::ranges::find(languages, language) != languages.end() ? language : "";
         settings.panel_sizes.side_ems = panel_size(from, "side_ems", least_side_ems, most_side_ems);
         settings.panel_sizes.bottom_share = panel_size(from, "bottom_share", least_bottom_share, most_bottom_share);
+        if (const auto lessons = from.find("lessons"); lessons != from.end()) {
+            settings.lessons = {lessons->value("last", ""), lessons->value("step", std::size_t{0}),
+                                lessons->value("seen", std::map<std::string, std::set<std::size_t>>{})};
+        }
         const auto size = from.value("window", std::array<int, 2>{settings.window.width, settings.window.height});
         settings.window = {std::clamp(size[0], least_window.width, 16384),
                            std::clamp(size[1], least_window.height, 16384)};
@@ -72,14 +76,17 @@ void write_settings(const fs::path &file, const Settings &settings) {
     if (error) {
         throw InputError("cannot make the folder {}: {}", file.parent_path().string(), error.message());
     }
-    const nlohmann::ordered_json to{{"dark", settings.dark},
-                                    {"panels", settings.panels},
-                                    {"scale", settings.scale},
-                                    {"language", settings.language},
-                                    {"window", {settings.window.width, settings.window.height}},
-                                    {"side_ems", settings.panel_sizes.side_ems},
-                                    {"bottom_share", settings.panel_sizes.bottom_share},
-                                    {"recent", settings.recent}};
+    const nlohmann::ordered_json to{
+        {"dark", settings.dark},
+        {"panels", settings.panels},
+        {"scale", settings.scale},
+        {"language", settings.language},
+        {"window", {settings.window.width, settings.window.height}},
+        {"side_ems", settings.panel_sizes.side_ems},
+        {"bottom_share", settings.panel_sizes.bottom_share},
+        {"recent", settings.recent},
+        {"lessons",
+         {{"last", settings.lessons.last}, {"step", settings.lessons.step}, {"seen", settings.lessons.seen}}}};
     write_file(file, to.dump(2) + "\n");
 }
 

@@ -17,6 +17,7 @@ struct Settings {
     Size window{1280, 720}; ///< [480, 16384] x [320, 16384]
     PanelSizes panel_sizes;
     std::vector<std::string> recent; ///< absolute paths of files, the last one first; at most most_recent
+    LessonProgress lessons;
     bool operator==(const Settings &) const = default;
 };
 constexpr std::size_t most_recent = 10;

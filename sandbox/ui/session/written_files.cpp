@@ -80,6 +80,7 @@ PictureOptions picture_options(const Session &session, Size each) {
     if (session.view.overlay == Overlay::profile) {
         options.marks.profile = session.view.profile_row;
     }
+    options.marks.ring = shown_ring(session, each);
     options.size = size_around(options, {each.width * columns_of(options.layout), each.height});
     return options;
 }

@@ -44,6 +44,7 @@ std::unique_ptr<TabContent> motion_tab(const DrawingSupplies &supplies);
 std::unique_ptr<TabContent> error_time_tab(const DrawingSupplies &supplies);
 std::unique_ptr<TabContent> glsl_tab(const DrawingSupplies &supplies);
 std::unique_ptr<TabContent> stability_tab(const DrawingSupplies &supplies);
+std::unique_ptr<TabContent> lesson_tab(const DrawingSupplies &supplies);
 
 /// From left to right. The panel, the menu, the keyboard and the list of keys read these rows.
 constexpr BottomTab bottom_tabs[] = {
@@ -56,6 +57,7 @@ constexpr BottomTab bottom_tabs[] = {
      error_time_tab},
     {"GLSL", "GLSL", 'G', "The programs of A and B beside each other", glsl_tab},
     {"Stability", "Stability", 'S', "Stiff and extreme scenes, in which a textbook's formulas break", stability_tab},
+    {"Lesson", "Lesson", 'B', "Step by step, every claim measured here (B: the blackboard)", lesson_tab},
 };
 
 /// The one that draws `overlay` over the pictures; none for Overlay::none.
@@ -66,6 +68,15 @@ constexpr std::optional<std::size_t> tab_of(Overlay overlay) {
         }
     }
     return std::nullopt;
+}
+
+/// The one whose content this function makes.
+constexpr std::size_t tab_made_by(decltype(BottomTab::make) make) {
+    std::size_t tab = 0;
+    while (bottom_tabs[tab].make != make) {
+        ++tab;
+    }
+    return tab;
 }
 
 } // namespace sandbox

@@ -76,6 +76,23 @@ void draw_profile_line(const Session &session, const Rect &picture) {
     list.AddLine({picture.low.x, y}, {picture.high.x, y}, white, 1);
 }
 
+void draw_ring(const Session &session, const Rect &picture) {
+    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+    const auto pixels = [](float length) { return std::max(1, static_cast<int>(std::lround(length))); };
+    const auto ring = shown_ring(session, {pixels(picture.width() * scale.x), pixels(picture.height() * scale.y)});
+    if (!ring) {
+        return;
+    }
+    ImDrawList &list = *ImGui::GetWindowDrawList();
+    list.PushClipRect(picture.low, picture.high, true);
+    const ImVec2 middle = place_of(picture, *ring);
+    const float radius = static_cast<float>(ring->z) * picture.height();
+    const float hair = std::max(2.0F, ImGui::GetFontSize() * 0.14F);
+    list.AddCircle(middle, radius, dark, 0, 2 * hair);
+    list.AddCircle(middle, radius, white, 0, hair);
+    list.PopClipRect();
+}
+
 void draw_loupe(const Session &session, const Rect &picture, unsigned texture) {
     const auto at = session.view.probed();
     if (!session.view.loupe || !at || texture == 0) {

@@ -18,6 +18,8 @@ void draw_arrow(ImVec2 from, ImVec2 to, ImU32 color, const std::string &name);
 void draw_probe(const Session &session, const Rect &picture);
 /// The line of the profile.
 void draw_profile_line(const Session &session, const Rect &picture);
+/// The ring where a lesson says to look.
+void draw_ring(const Session &session, const Rect &picture);
 /// The probed pixel and its neighbours, magnified, in a corner of the picture, or nothing.
 void draw_loupe(const Session &session, const Rect &picture, unsigned texture);
 

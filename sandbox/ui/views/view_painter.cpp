@@ -31,6 +31,15 @@ std::optional<SlowPicture> ViewPainter::slow_picture(const Side &side, const Vie
     return built ? std::nullopt : std::optional(slow);
 }
 
+std::optional<SlowPicture> ViewPainter::slow_ahead(const Session &session, bool right) {
+    const Side &side = sides_[right ? 1 : 0];
+    const Document next = next_document(session);
+    const Scene scene = with_mesh_factor(scene_in_view(next, side.shown.size), next.mesh_factors[right ? 1 : 0]);
+    const ViewKey key{scene, right ? next.right : next.left, side.shown.size, false, {}, reloads_};
+    const DisplayMap display{next.display, next.exposure};
+    return slow_picture(side, key, reads_light(next_view(session)) ? std::nullopt : std::optional(display));
+}
+
 const SlowPicture *ViewPainter::awaited() const {
     for (const Side &side : sides_) {
         if (side.awaited) {
@@ -83,8 +92,7 @@ void ViewPainter::draw_shown(Side &side, const ViewKey &key, const DisplayMap &d
 }
 
 /// Else a picture need not be more than what the screen shows.
-bool ViewPainter::reads_light(const Session &session) const {
-    const ViewSettings &view = session.view;
+bool ViewPainter::reads_light(const ViewSettings &view) const {
     return !waits_ || view.layout == Layout::difference || view.masks ||
            on_surfaces(view.drawn_over, view.layout) != Overlays{} || view.overlay == Overlay::profile;
 }
@@ -281,7 +289,7 @@ void ViewPainter::paint(const Session &session, Size each) {
                           textbook,
                           on_surfaces(view.drawn_over, view.layout),
                           reloads_};
-        changed |= paint_side(sides_[right ? 1 : 0], key, display, textbook || reads_light(session));
+        changed |= paint_side(sides_[right ? 1 : 0], key, display, textbook || reads_light(view));
     }
     if (samples_shown(session) == 1) {
         smooth_.reset();

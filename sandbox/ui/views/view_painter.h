@@ -62,6 +62,10 @@ class ViewPainter {
     /// one until that has been made aside.
     void paint(const Session &session, Size each);
 
+    /// What paint() would wait for in the lesson's next step, so that it can be made ahead; nothing: the side can be
+    /// drawn at once.
+    [[nodiscard]] std::optional<SlowPicture> slow_ahead(const Session &session, bool right);
+
     /// There is nobody to make pictures aside: programs are built where they are drawn with.
     void wait_for_no_program() { waits_ = false; }
     /// What paint() waits for; null: nothing.
@@ -143,7 +147,7 @@ class ViewPainter {
                                                           const std::optional<DisplayMap> &shown);
     void draw_light(Side &side, const ViewKey &key, const DisplayMap &display);
     void draw_shown(Side &side, const ViewKey &key, const DisplayMap &display);
-    [[nodiscard]] bool reads_light(const Session &session) const;
+    [[nodiscard]] bool reads_light(const ViewSettings &view) const;
     bool upload(std::unique_ptr<Uploaded> &uploaded, const std::shared_ptr<const Image> &image,
                 const DisplayMap &display);
     void paint_smooth(bool right, const DisplayMap &display);

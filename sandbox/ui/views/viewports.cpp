@@ -230,6 +230,7 @@ void viewports(Session &session, ViewPainter &painter) {
             const ScopedName name(session, arrangement.columns == 1 ? "View" : names[i]);
             draw_lights(session, arrangement.column(i));
         }
+        draw_ring(session, arrangement.column(i));
         draw_probe(session, arrangement.column(i));
         draw_loupe(session, arrangement.column(i), texture_of(session, painter, i));
     }

@@ -78,14 +78,16 @@ void load_fonts(float scale) {
     atlas.Clear();
     atlas.Flags |= ImFontAtlasFlags_NoPowerOfTwoHeight;
     const std::vector<fs::path> files = font_files();
-    add_font(find_font(files, {"NotoSans-Regular.ttf", "DejaVuSans.ttf", "LiberationSans-Regular.ttf", "FreeSans.ttf",
-                               "Ubuntu-R.ttf"}),
-             16 * scale);
+    const auto text = find_font(files, {"NotoSans-Regular.ttf", "DejaVuSans.ttf", "LiberationSans-Regular.ttf",
+                                        "FreeSans.ttf", "Ubuntu-R.ttf"});
+    add_font(text, 16 * scale);
     add_font(find_font(files, {"NotoSansMono-Regular.ttf", "DejaVuSansMono.ttf", "LiberationMono-Regular.ttf",
                                "FreeMono.ttf", "UbuntuMono-R.ttf"}),
              15 * scale);
+    add_font(text, 24 * scale);
 }
 
 ImFont *code_font() { return ImGui::GetIO().Fonts->Fonts[1]; }
+ImFont *lecture_font() { return ImGui::GetIO().Fonts->Fonts[2]; }
 
 } // namespace sandbox

@@ -4,11 +4,13 @@ struct ImFont;
 
 namespace sandbox {
 
-/// Fills ImGui's font atlas with a text font and a monospaced one, 16 * `scale` pixels high, or with Dear ImGui's own
-/// font if the system has none. The backend's texture must then be made again.
+/// Fills ImGui's font atlas with a text font, a monospaced one, 16 * `scale` pixels high, and a larger one, or with
+/// Dear ImGui's own font if the system has none. The backend's texture must then be made again.
 void load_fonts(float scale);
 
 /// The monospaced one.
 ImFont *code_font();
+/// The larger one: read from the last row of a lecture hall.
+ImFont *lecture_font();
 
 } // namespace sandbox

@@ -1,0 +1,35 @@
+#include "ui/jobs/claims_job.h"
+
+#include "reference/parallel.h"
+
+namespace sandbox {
+
+ClaimsJob::ClaimsJob(const DrawingSupplies &supplies, const std::shared_ptr<const ShownStep> &shown)
+    : shared_(std::make_shared<Shared>()) {
+    const auto work = [shared = shared_, shown](Renderer &renderer, JobReporter &reporter) {
+        LessonDraw draw = lessons_drawn_by(renderer);
+        draw.picture = [&reporter, picture = draw.picture](const Scene &scene, const Technique &technique, Size size) {
+            return reporter.cancelled() ? throw Cancelled() : picture(scene, technique, size);
+        };
+        try {
+            measure_step(shown->step(), draw, [&](const ClaimResult &result) {
+                {
+                    const std::lock_guard lock(shared->mutex);
+                    shared->results.push_back(result);
+                }
+                reporter.wake();
+            });
+        } catch (const Cancelled &) {
+            return false;
+        }
+        return true;
+    };
+    job_ = std::make_unique<DrawingJob<bool>>(supplies, work);
+}
+
+std::vector<ClaimResult> ClaimsJob::results() const {
+    const std::lock_guard lock(shared_->mutex);
+    return shared_->results;
+}
+
+} // namespace sandbox
