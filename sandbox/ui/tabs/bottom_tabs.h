@@ -53,7 +53,7 @@ constexpr BottomTab bottom_tabs[] = {
     {"Profile", "Profile", 'L', "A, B and the truth along a line through the pictures", profile_tab, Overlay::profile},
     {"Motion", "Motion", 'O',
      "A light, an object, the camera or any number plays; how far pictures jump from frame to frame", motion_tab},
-    {"Error vs run time", "Error/time", 'E', "How far every technique is from the truth, and how long it takes",
+    {"Error vs run time", "Error", 'E', "How far every technique is from the truth, and how long it takes",
      error_time_tab},
     {"GLSL", "GLSL", 'G', "The programs of A and B beside each other", glsl_tab},
     {"Stability", "Stability", 'S', "Stiff and extreme scenes, in which a textbook's formulas break", stability_tab},

@@ -47,9 +47,9 @@ void draw_mark(Mark mark) {
 
 /// The value in large letters, then its bound and the claim's words. Of words in a GLSL text there is no value.
 void claim_row(Session &session, std::size_t number, const ClaimResult &claim, Mark mark) {
-    const ImVec2 low = ImGui::GetCursorScreenPos();
     const ImVec4 text = ImGui::GetStyleColorVec4(ImGuiCol_Text);
     const bool value = mark != Mark::tick || !claim.bound.empty();
+    ImGui::BeginGroup();
     ImGui::PushFont(value ? lecture_font() : ImGui::GetFont());
     const float indent = ImGui::GetTextLineHeight();
     draw_mark(mark);
@@ -70,11 +70,11 @@ void claim_row(Session &session, std::size_t number, const ClaimResult &claim, M
         wrapped_text(text, claim.what);
     }
     ImGui::Unindent(indent);
-    ImGui::Spacing();
-    const ImVec2 high{low.x + ImGui::GetContentRegionAvail().x, ImGui::GetCursorScreenPos().y};
+    ImGui::EndGroup();
     const std::string shown = verdict(session, mark, claim.measured);
-    describe_text(session, fmt::format("claim {}", number), low, high,
+    describe_item(session, fmt::format("claim {}", number), "",
                   fmt::format("{}{}{}: {}", shown, bound.empty() ? "" : ", ", bound, claim.what));
+    ImGui::Spacing();
 }
 
 } // namespace
