@@ -91,6 +91,7 @@ struct LessonStep : Overlays {
     Display display = Display::linear;
     double exposure = 1, gain = 1;
     std::optional<LookHere> look;
+    std::string tab; ///< the key of the window's tab beside the step; empty: none
     std::optional<Question> question;
     bool asserts = true; ///< false: a step that claims nothing
     std::vector<LessonClaim> claims;

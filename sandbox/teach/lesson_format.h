@@ -65,26 +65,28 @@ inline constexpr auto format_of<LessonClaim> = format(
     field("within", &LessonClaim::within, Range{.low = 1, .above_low = true}, "The factor around `about`."));
 
 template <>
-inline constexpr auto format_of<LessonStep> =
-    format("step", "A screenful: a text, a picture and the claims that back the text.",
-           field("title", &LessonStep::title, any, "A few words.", {.needed = always<LessonStep>}),
-           field("text", &LessonStep::text, any, "At most 60 words.", {.needed = always<LessonStep>}),
-           field("scene", &LessonStep::scene_json, any,
-                 "A built-in scene's name, a path beside the lesson, or a scene; the last step's scene without it."),
-           field("set", &LessonStep::set, any, "PATH=VALUE, as --set takes them: changes the scene."),
-           field("camera", &LessonStep::camera_json, any, "The name of one of the scene's views, or a camera."),
-           field("left", &LessonStep::left, any, "The technique of A; the last step's without it."),
-           field("right", &LessonStep::right, any, "The technique of B; the last step's without it."),
-           field("layout", &LessonStep::layout, any, "What the picture shows: A alone, A and B, their difference, ..."),
-           field("mesh_factors", &LessonStep::mesh_factors, mesh_factor, "On the meshes of A and of B."),
-           field("display", &LessonStep::display, any, "The transfer curve of the picture."),
-           field("exposure", &LessonStep::exposure, above_zero, "A factor on the colours of the picture."),
-           field("gain", &LessonStep::gain, above_zero, "A factor on a difference in the picture."),
-           overlay_field(overlay_kinds[0]), overlay_field(overlay_kinds[1]), overlay_field(overlay_kinds[2]),
-           overlay_field(overlay_kinds[3]), field("look", &LessonStep::look, any, "Where to look."),
-           field("question", &LessonStep::question, any, "A question to think about."),
-           field("asserts", &LessonStep::asserts, any, "false: the step claims nothing, and needs no claim."),
-           field("claims", &LessonStep::claims, any, "What the text says, to be measured."));
+inline constexpr auto format_of<LessonStep> = format(
+    "step", "A screenful: a text, a picture and the claims that back the text.",
+    field("title", &LessonStep::title, any, "A few words.", {.needed = always<LessonStep>}),
+    field("text", &LessonStep::text, any, "At most 60 words.", {.needed = always<LessonStep>}),
+    field("scene", &LessonStep::scene_json, any,
+          "A built-in scene's name, a path beside the lesson, or a scene; the last step's scene without it."),
+    field("set", &LessonStep::set, any, "PATH=VALUE, as --set takes them: changes the scene."),
+    field("camera", &LessonStep::camera_json, any, "The name of one of the scene's views, or a camera."),
+    field("left", &LessonStep::left, any, "The technique of A; the last step's without it."),
+    field("right", &LessonStep::right, any, "The technique of B; the last step's without it."),
+    field("layout", &LessonStep::layout, any, "What the picture shows: A alone, A and B, their difference, ..."),
+    field("mesh_factors", &LessonStep::mesh_factors, mesh_factor, "On the meshes of A and of B."),
+    field("display", &LessonStep::display, any, "The transfer curve of the picture."),
+    field("exposure", &LessonStep::exposure, above_zero, "A factor on the colours of the picture."),
+    field("gain", &LessonStep::gain, above_zero, "A factor on a difference in the picture."),
+    overlay_field(overlay_kinds[0]), overlay_field(overlay_kinds[1]), overlay_field(overlay_kinds[2]),
+    overlay_field(overlay_kinds[3]), field("look", &LessonStep::look, any, "Where to look."),
+    field("tab", &LessonStep::tab, any,
+          "The key of the window's tab to show beside the step: P probe, L profile, E error against run time, ..."),
+    field("question", &LessonStep::question, any, "A question to think about."),
+    field("asserts", &LessonStep::asserts, any, "false: the step claims nothing, and needs no claim."),
+    field("claims", &LessonStep::claims, any, "What the text says, to be measured."));
 
 template <>
 inline constexpr auto format_of<Lesson> =

@@ -134,7 +134,9 @@ class LessonReader : public TableReader<LessonReader, json> {
         if (step.asserts && !checked) {
             refuse(below(path, "claims"), R"(expected a claim that is checked, or "asserts": false)");
         }
-        (void)json;
+        if (step.tab.size() > 1) {
+            refuse(below(path, "tab"), "expected the key of a tab, one letter" + got(json["tab"]));
+        }
     }
     void finish(const json &json, const std::string &path, Lesson &lesson) const {
         expect(!lesson.steps.empty(), below(path, "steps"), "one step or more", json["steps"]);

@@ -246,10 +246,13 @@ void Window::open_lesson(const std::string &name_or_path, std::size_t step) {
         const std::string id = file ? std::filesystem::absolute(name_or_path).string() : name_or_path;
         const auto lesson = read_lesson(id);
         load(lesson->steps[std::min(step, lesson->steps.size() - 1)].scene, "");
+        const bool goes_on = session_.document.step != nullptr && !session_.appearance.panels; // from bug to bug
         show_step(session_, lesson, id, step);
-        session_.message = {session_.text("lesson_tab.opened", lesson->title.text), false};
-        session_.appearance.tab = tab_made_by(lesson_tab);
-        session_.appearance.panels = true;
+        if (!goes_on) {
+            session_.message = {session_.text("lesson_tab.opened", lesson->title.text), false};
+            session_.appearance.tab = tab_made_by(lesson_tab);
+            session_.appearance.panels = true;
+        }
         if (file) {
             add_recent(settings_, id);
         }

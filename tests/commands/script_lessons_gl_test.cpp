@@ -108,6 +108,28 @@ expect Lesson/Seen "A bright spot"
     EXPECT_NE(wrong.err.find("did you mean \"two-sided\"?"), std::string::npos) << wrong.err;
 }
 
+TEST_F(ScriptGl, AStepShowsAnotherTabBesideItsText) {
+    EXPECT_PLAYED(play(R"(
+expect Lesson/place "Step 1 of 5"
+size 1280x720
+expect "Error vs run time/Run" Run
+expect Lesson/place "Step 1 of 5"
+)",
+                       {"--lesson", "error-and-run-time"}));
+}
+
+/// With the panels hidden, for a presenter's remote.
+TEST_F(ScriptGl, TheGalleryIsGoneThroughFromBugToBug) {
+    EXPECT_PLAYED(play(R"(
+key Tab
+key PageDown
+expect A/name "per-pixel / blinn-phong"
+key PageUp
+expect A/name "highlights on the unlit side"
+)",
+                       {"--lesson", "highlight-in-the-dark"}));
+}
+
 TEST_F(ScriptGl, ProgressIsKeptInTheSettings) {
     folder.write("mine.json", small_lesson);
     EXPECT_PLAYED(play("key PageDown\n", {"mine.json", "--settings", "settings.json"}));

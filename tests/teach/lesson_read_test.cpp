@@ -138,6 +138,8 @@ TEST(LessonRead, ErrorsNameFileKeyAndWhatWasExpected) {
     EXPECT_EQ(error(lesson_of(step_of(R"("scene": "point-light", "layout": "sideways")"))),
               "mine.json: steps[0].layout: expected one of \"single\", \"side-by-side\", \"wipe\", \"difference\", "
               "\"three-up\", got \"sideways\"");
+    EXPECT_EQ(error(lesson_of(step_of(R"("scene": "point-light", "tab": "profile")"))),
+              "mine.json: steps[0].tab: expected the key of a tab, one letter, got \"profile\"");
     EXPECT_TRUE(error(lesson_of(step_of(R"("scene": "point-light", "left": "per-pixel/fong")")))
                     .starts_with("mine.json: steps[0].left: "));
     EXPECT_TRUE(error(lesson_of(step_of(R"("scene": "point-light", "set": ["lights[9].diffuse=1"])")))

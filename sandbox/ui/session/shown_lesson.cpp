@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 #include <utility>
 
 namespace sandbox {
@@ -65,6 +66,17 @@ void show_step(Session &session, const ShownStep &shown) {
     progress.seen[shown.id].insert(shown.number);
 }
 
+/// The bug before or behind this one in the gallery; null: none.
+const ListedLesson *next_bug(const Session &session, const ShownStep &shown, int steps) {
+    const auto &all = session.lessons;
+    const auto here = std::ranges::find(all, shown.id, &ListedLesson::name);
+    if (here == all.end() || !here->bug || (steps < 0 && here == all.begin()) || (steps > 0 && here + 1 == all.end())) {
+        return nullptr;
+    }
+    const ListedLesson &next = *(steps > 0 ? here + 1 : here - 1);
+    return next.bug ? &next : nullptr;
+}
+
 } // namespace
 
 void show_step(Session &session, std::shared_ptr<const Lesson> lesson, const std::string &id, std::size_t number) {
@@ -85,7 +97,13 @@ void go_on(Session &session, int steps) {
     }
     const auto count = static_cast<int>(shown->lesson->steps.size());
     const int next = static_cast<int>(shown->number) + steps;
-    if (next < 0 || next >= count) {
+    const bool beyond = next < 0 || next >= count;
+    if (const ListedLesson *bug = beyond ? next_bug(session, *shown, steps) : nullptr) {
+        session.requests.open_lesson = bug->name;
+        session.requests.open_step = steps < 0 ? std::numeric_limits<std::size_t>::max() : 0; // the last one
+        return;
+    }
+    if (beyond) {
         session.message = {session.text(next < 0 ? "lesson_tab.first" : "lesson_tab.last"), false};
         return;
     }

@@ -53,7 +53,7 @@ struct ListedLesson {
 
 /// Sets scene, camera, techniques, meshes, layout, display and overlays as the step has them: one edit for undo.
 void show_step(Session &session, std::shared_ptr<const Lesson> lesson, const std::string &id, std::size_t number);
-/// So many steps on, or back; says where the lesson ends. Does nothing without a lesson.
+/// So many steps on, or back; from bug to bug in the gallery; says where a lesson ends. Does nothing without a lesson.
 void go_on(Session &session, int steps);
 void go_to_step(Session &session, std::size_t number);
 /// What go_on(session, 1) would show; what is shown where there is no next step.

@@ -70,6 +70,23 @@ void draw_titles(Session &session) {
     ImGui::NewLine();
 }
 
+constexpr float beside_ems = 45;      // the least width for two tabs beside each other
+constexpr float lesson_share = 0.58F; // of that width
+
+/// The tab that the lesson's step wants beside its own.
+std::optional<std::size_t> tab_beside(const Session &session) {
+    const auto &shown = session.document.step;
+    if (!shown || session.appearance.tab != tab_made_by(lesson_tab)) {
+        return std::nullopt;
+    }
+    for (std::size_t tab = 0; tab < std::size(bottom_tabs); ++tab) {
+        if (shown->step().tab == std::string(1, bottom_tabs[tab].key) && tab != session.appearance.tab) {
+            return tab;
+        }
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 BottomPanel::BottomPanel(const DrawingSupplies &supplies) {
@@ -89,6 +106,19 @@ void BottomPanel::follow(Session &session, ViewPainter &painter) {
     if (tab) {
         contents_[*tab]->follow(session, painter);
     }
+    if (const auto beside = tab_beside(session)) {
+        session.view.overlay = bottom_tabs[*beside].overlay;
+        contents_[*beside]->follow(session, painter);
+    }
+}
+
+void BottomPanel::draw_content(Session &session, ViewPainter &painter, std::size_t tab, float width) {
+    const ScopedName name(session, bottom_tabs[tab].title);
+    const ImVec2 size{width, -ImGui::GetStyle().ItemSpacing.y};
+    if (ImGui::BeginChild("content", size, false, ImGuiWindowFlags_NavFlattened)) {
+        contents_[tab]->draw(session, painter);
+    }
+    ImGui::EndChild();
 }
 
 void BottomPanel::draw(Session &session, ViewPainter &painter) {
@@ -97,12 +127,13 @@ void BottomPanel::draw(Session &session, ViewPainter &painter) {
     draw_titles(session);
     if (const auto tab = session.appearance.tab) {
         ImGui::SetCursorPosX(style.WindowPadding.x);
-        const ImVec2 size{ImGui::GetContentRegionAvail().x - style.WindowPadding.x, -style.ItemSpacing.y};
-        const ScopedName name(session, bottom_tabs[*tab].title);
-        if (ImGui::BeginChild("content", size, false, ImGuiWindowFlags_NavFlattened)) {
-            contents_[*tab]->draw(session, painter);
+        const float width = ImGui::GetContentRegionAvail().x - style.WindowPadding.x;
+        const auto beside = width > beside_ems * ImGui::GetFontSize() ? tab_beside(session) : std::nullopt;
+        draw_content(session, painter, *tab, beside ? std::floor(width * lesson_share) : width);
+        if (beside) {
+            ImGui::SameLine(0, 2 * style.ItemSpacing.x);
+            draw_content(session, painter, *beside, width - ImGui::GetItemRectSize().x - 2 * style.ItemSpacing.x);
         }
-        ImGui::EndChild();
     }
 }
 

@@ -3,6 +3,7 @@
 #include "ui/tabs/bottom_tabs.h"
 
 #include <array>
+#include <cstddef>
 
 namespace sandbox {
 
@@ -23,6 +24,8 @@ class BottomPanel {
     News take_news(Session &session);
 
   private:
+    void draw_content(Session &session, ViewPainter &painter, std::size_t tab, float width);
+
     std::array<std::unique_ptr<TabContent>, std::size(bottom_tabs)> contents_;
 };
 

@@ -139,6 +139,27 @@ TEST_F(ShownLessonTest, TheRingIsShownUntilTheCameraMoves) {
     EXPECT_FALSE(shown_ring(session, {400, 300})) << "this step has none";
 }
 
+/// The gallery is gone through from bug to bug, and ends where it ends.
+TEST_F(ShownLessonTest, BehindABugsLastStepComesTheNextBug) {
+    session.lessons = {{"a", "A"}, {"mine", "M", true}, {"b", "B", true}};
+    show(2);
+    go_on(session, 1);
+    EXPECT_EQ(session.requests.open_lesson, "b");
+    EXPECT_EQ(session.requests.open_step, 0U);
+    session.requests = {};
+    show(0);
+    go_on(session, -1);
+    EXPECT_FALSE(session.requests.open_lesson) << "before the first bug is a lesson";
+    show_step(session, lesson, "b", 0);
+    go_on(session, -1);
+    EXPECT_EQ(session.requests.open_lesson, "mine");
+    EXPECT_GT(session.requests.open_step, 2U) << "from behind";
+    session.requests = {};
+    show_step(session, lesson, "a", 2);
+    go_on(session, 1);
+    EXPECT_FALSE(session.requests.open_lesson) << "a lesson ends";
+}
+
 TEST_F(ShownLessonTest, TheNextStepIsKnownAhead) {
     show(0);
     EXPECT_EQ(next_document(session).left, *lesson->steps[1].left);
