@@ -7,7 +7,7 @@
 namespace sandbox {
 namespace {
 
-constexpr std::size_t most_programs = 256;
+constexpr std::size_t most_programs = 48;
 
 } // namespace
 

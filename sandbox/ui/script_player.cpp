@@ -402,9 +402,7 @@ void ScriptPlayer::monkey(Words words) {
     for (int i = 1; i <= count; ++i) {
         random_action(static_cast<unsigned>(dice()));
         check_gl("work the window");
-        if (window_.session().requests.quit) {
-            return;
-        }
+        window_.session().requests.quit = false;
         if (i % std::max(count / reports, 1) == 0) {
             fmt::print("{} actions, {} MB resident\n", i, resident_megabytes());
             std::fflush(stdout);
