@@ -398,12 +398,17 @@ long resident_megabytes() {
 void ScriptPlayer::monkey(Words words) {
     const auto count = static_cast<int>(number(words[0]));
     std::mt19937 dice(static_cast<unsigned>(number(words[1])));
+    Session &session = window_.session();
+    const Document first = session.document;
     constexpr int reports = 10;
     for (int i = 1; i <= count; ++i) {
         random_action(static_cast<unsigned>(dice()));
         check_gl("work the window");
-        window_.session().requests.quit = false;
-        if (i % std::max(count / reports, 1) == 0) {
+        session.requests.quit = false;
+        if (i % std::max(count / reports, 1) == 0) { // always of the same scene
+            session.appearance.tab.reset();
+            show_document(session, first);
+            finish();
             fmt::print("{} actions, {} MB resident\n", i, resident_megabytes());
             std::fflush(stdout);
         }
