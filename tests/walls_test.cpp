@@ -55,7 +55,7 @@ const std::vector<Library> libraries = {
     {"[a-z_]+", {}}, // C++'s own
     {"glm/.*", {}},
     {"fmt/.*", {}},
-    {"(unistd|fcntl|poll|termios|spawn)\\.h|sys/.*", {}},
+    {"(unistd|fcntl|malloc|poll|termios|spawn)\\.h|sys/.*", {}},
     {"glad/.*|EGL/.*", {"render"}},
     {"GLFW/.*", {"render", "ui"}},
     {"imgui.*|backends/imgui.*", {"ui"}},
