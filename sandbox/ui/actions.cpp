@@ -78,7 +78,7 @@ std::vector<Action> make_actions() {
     const auto larger = scale_by(1.1F);
     const auto smaller = scale_by(1 / 1.1F);
     const auto can_undo = [](const Session &s) { return s.history.can_undo(); };
-    const auto in_lesson = [](const Session &s) { return s.document.step != nullptr; };
+    const auto in_lesson = [](const Session &s) { return s.document.step != nullptr && !s.appearance.key_list; };
     const auto has_answer = [](const Session &s) { return s.document.step && s.document.step->step().question; };
     const auto can_redo = [](const Session &s) { return s.history.can_redo(); };
     std::vector<Action> all{

@@ -62,7 +62,7 @@ void Gui::begin_frame(const Appearance &appearance, bool lesson) {
     for (const auto &[key, code] :
          {std::pair(ImGuiKey_PageUp, GLFW_KEY_PAGE_UP), std::pair(ImGuiKey_PageDown, GLFW_KEY_PAGE_DOWN),
           std::pair(ImGuiKey_Home, GLFW_KEY_HOME), std::pair(ImGuiKey_End, GLFW_KEY_END)}) {
-        io.KeyMap[key] = lesson ? -1 : code;
+        io.KeyMap[key] = lesson && !io.WantTextInput && !appearance.key_list ? -1 : code;
     }
     ImGui::NewFrame();
 }

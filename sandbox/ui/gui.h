@@ -17,7 +17,7 @@ class Gui {
     Gui &operator=(const Gui &) = delete;
 
     /// Begins a frame with this theme and scale; loads new fonts if the scale changed. `lesson`: Page up and down, Home
-    /// and End go through its steps, and scroll nothing.
+    /// and End go through its steps, and scroll nothing but the list of keys.
     void begin_frame(const Appearance &appearance, bool lesson);
     /// Lays the frame out. False if it would show what the last one does; `pictures` counts the changes of the
     /// textures that it shows.

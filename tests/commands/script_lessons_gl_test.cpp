@@ -118,6 +118,33 @@ expect Lesson/place "Step 1 of 5"
                        {"--lesson", "error-and-run-time"}));
 }
 
+/// Page down scrolls the list of keys while it is open, and is the lesson's again behind it.
+TEST_F(ScriptGl, TheListOfKeysKeepsThePageKeys) {
+    folder.write("mine.json", small_lesson);
+    EXPECT_PLAYED(play(R"(
+key ?
+key PageDown
+expect Lesson/place "Step 1 of 2"
+key ?
+key PageDown
+expect Lesson/place "Step 2 of 2"
+)",
+                       {"mine.json"}));
+}
+
+TEST_F(ScriptGl, WhatMovesInAClaimIsPlayedFromItsStep) {
+    EXPECT_PLAYED(play(R"(
+click Lesson/steps
+click "Lesson/steps/6  In motion"
+click Lesson/Play
+play 3
+key A
+key O
+expect Motion/moment "moment 3 of"
+)",
+                       {"--lesson", "vertex-or-pixel"}));
+}
+
 /// With the panels hidden, for a presenter's remote.
 TEST_F(ScriptGl, TheGalleryIsGoneThroughFromBugToBug) {
     EXPECT_PLAYED(play(R"(

@@ -88,7 +88,7 @@ void contents_list(Session &session, const ShownStep &shown) {
         titles.emplace_back(step_title(*shown.lesson, i));
     }
     std::size_t chosen = shown.number;
-    ImGui::SetNextItemWidth(ImGui::GetFontSize() * contents_ems);
+    ImGui::SetNextItemWidth(std::min(ImGui::GetFontSize() * contents_ems, ImGui::GetContentRegionAvail().x));
     if (combo(session, "steps", titles, chosen, session.text("lesson_tab.steps.help"))) {
         go_to_step(session, chosen);
     }
@@ -152,6 +152,15 @@ void question(Session &session, const LessonStep &step) {
     }
 }
 
+/// What moves in the step's claims.
+void motion(Session &session, const LessonStep &step) {
+    if (std::ranges::any_of(step.claims, [](const LessonClaim &claim) { return claim.motion.has_value(); }) &&
+        toggle_button(session, session.label("lesson_tab.play"), session.playback.playing,
+                      session.text("lesson_tab.play.help"))) {
+        play_or_pause(session);
+    }
+}
+
 void labelled(Session &session, const Label &label, const std::string &text) {
     ImGui::Spacing();
     ImGui::TextColored(quiet_text(), "%s", label.shown.c_str());
@@ -167,11 +176,34 @@ void step_text(Session &session, const ShownStep &shown) {
     large_text(session, "title", step.title.text);
     ImGui::PopStyleColor();
     large_text(session, "text", step.text.text);
+    motion(session, step);
     question(session, step);
     if (lesson.is_bug()) {
         labelled(session, session.label("lesson_tab.seen"), lesson.seen.text);
         labelled(session, session.label("lesson_tab.cure"), lesson.cure.text);
         labelled(session, session.label("lesson_tab.source"), lesson.source);
+    }
+}
+
+/// A part of the tab that scrolls by itself.
+template <typename Draw> void column(const char *id, float width, Draw draw) {
+    if (ImGui::BeginChild(id, {width, 0}, false, ImGuiWindowFlags_NavFlattened)) {
+        draw();
+    }
+    ImGui::EndChild();
+}
+
+void choice_among(Session &session, bool bugs) {
+    if (bugs) {
+        heading(session.text("lesson_tab.bugs"));
+    }
+    for (const ListedLesson &lesson : session.lessons) {
+        if (lesson.bug == bugs) {
+            if (ImGui::Selectable(lesson.title.c_str())) {
+                session.requests.open_lesson = lesson.name;
+            }
+            describe_item(session, lesson.name, "", lesson.title);
+        }
     }
 }
 
@@ -189,24 +221,14 @@ void choice(Session &session) {
         ImGui::TextUnformatted(session.text("lesson_tab.where", title, progress.step + 1).c_str());
     }
     wrapped_text(quiet_text(), session.text("lesson_tab.choose"));
-    bool bugs = false;
-    for (const ListedLesson &lesson : session.lessons) {
-        if (lesson.bug && !std::exchange(bugs, true)) {
-            heading(session.text("lesson_tab.bugs"));
-        }
-        if (ImGui::Selectable(lesson.title.c_str())) {
-            session.requests.open_lesson = lesson.name;
-        }
-        describe_item(session, lesson.name, "", lesson.title);
+    const float room = ImGui::GetContentRegionAvail().x;
+    if (columns_for(room / ImGui::GetFontSize()) == Columns::text_over_claims) {
+        choice_among(session, false);
+        return choice_among(session, true);
     }
-}
-
-/// A part of the tab that scrolls by itself.
-template <typename Draw> void column(const char *id, float width, Draw draw) {
-    if (ImGui::BeginChild(id, {width, 0}, false, ImGuiWindowFlags_NavFlattened)) {
-        draw();
-    }
-    ImGui::EndChild();
+    column("lessons", room / 2, [&] { choice_among(session, false); });
+    ImGui::SameLine();
+    column("bugs", 0, [&] { choice_among(session, true); });
 }
 
 } // namespace
