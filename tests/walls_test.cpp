@@ -58,6 +58,7 @@ const std::vector<Library> libraries = {
     {"(unistd|fcntl|malloc|poll|termios|spawn)\\.h|sys/.*", {}},
     {"glad/.*|EGL/.*", {"render"}},
     {"GLFW/.*", {"render", "ui"}},
+    {"imstb_truetype\\.h", {"image"}},
     {"imgui.*|backends/imgui.*", {"ui"}},
     {"spng\\.h|jpeglib\\.h|jerror\\.h", {"image"}},
     {"CLI/.*", {"main.cpp", "commands"}},

@@ -6,6 +6,7 @@
 #include "image/error.h"
 #include "image/picture_size.h"
 #include "scene/scene_setting.h"
+#include "words/row_words.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -167,6 +168,7 @@ PictureOptions cell_options(PictureOptions options, const Technique &technique) 
 
 ByteImage draw_grid(const Scene &scene, const Grid &grid, const PictureOptions &options, const Painters &painters,
                     std::string_view name, const Progress &progress) {
+    const Words words = words_in(options.language);
     std::vector<Scene> scenes;
     std::vector<std::string> rows, columns;
     for (const std::string &value : grid.sweep.values) {
@@ -176,7 +178,7 @@ ByteImage draw_grid(const Scene &scene, const Grid &grid, const PictureOptions &
     }
     const auto factor = [&](std::size_t row) { return options.mesh_factors[row > 0 ? 1 : 0]; };
     for (std::size_t row = 0; row < grid.techniques.size(); ++row) {
-        rows.push_back(title_of(grid.techniques[row]) + mesh_factor_note(factor(row)));
+        rows.push_back(title_of(words, grid.techniques[row]) + mesh_factor_note(words, factor(row)));
     }
     const double cells = static_cast<double>(rows.size() * columns.size());
     return grid_picture(rows, columns, options.size, [&](std::size_t row, std::size_t column) {

@@ -3,6 +3,7 @@
 #include "capture/strokes.h"
 #include "image/cut_paste.h"
 #include "image/difference.h"
+#include "image/system_font.h"
 #include "image/text.h"
 
 #include <algorithm>
@@ -22,13 +23,35 @@ constexpr double scale_width = 52; // in text heights: what stands in a scale, a
 
 double margin_of(double height) { return height * 0.6; }
 
-/// `text` in lines of at most `room` pixels, broken at spaces; a word that is longer has its own line.
+/// Where the word that begins at `begin` ends, with the spaces behind it: Chinese may break behind every character, but
+/// not before its punctuation.
+std::size_t word_end(std::string_view text, std::size_t begin) {
+    const auto next = [&](std::size_t at) {
+        std::string_view rest = text.substr(at);
+        return rest.empty() ? char32_t{0} : take_character(rest);
+    };
+    const auto closes = [](char32_t c) { return c == U'，' || c == U'。' || c == U'；' || c == U'：' || c == U'）'; };
+    std::string_view rest = text.substr(begin);
+    while (!rest.empty()) {
+        const char32_t character = take_character(rest);
+        const std::size_t at = text.size() - rest.size();
+        const char32_t following = next(at);
+        if (character == ' ' ? following != ' ' : following >= first_chinese && !closes(following)) {
+            return at;
+        }
+        if (character >= first_chinese && character != U'（' && following != ' ' && !closes(following)) {
+            return at;
+        }
+    }
+    return text.size();
+}
+
+/// `text` in lines of at most `room` pixels, broken between words; a word that is longer has its own line.
 std::vector<std::string> wrapped(const std::string &text, double height, double room) {
     std::vector<std::string> lines{""};
     std::size_t begin = 0;
     while (begin < text.size()) {
-        const std::size_t after = text.find_first_not_of(' ', std::min(text.find(' ', begin), text.size()));
-        const std::string word = text.substr(begin, std::min(after, text.size()) - begin); // with the spaces behind it
+        const std::string word = text.substr(begin, word_end(text, begin) - begin); // with the spaces behind it
         const std::string bare = word.substr(0, word.find_last_not_of(' ') + 1);
         if (!lines.back().empty() && text_width(lines.back() + bare, height) > room) {
             lines.emplace_back();
@@ -129,7 +152,7 @@ void draw_scale(ByteImage &picture, const Strips &strips, const ScaleTexts &text
     fill_part(picture, 0, static_cast<int>(top), picture.size.width, picture.size.height, paper);
     draw_text(picture, margin_of(text), top + 0.4 * text, text, texts.what);
     draw_text(picture, margin_of(text), top + 1.7 * text, text, texts.result);
-    const std::string left = texts.second + " brighter", right = texts.first + " brighter";
+    const std::string &left = texts.low, &right = texts.high;
     const double beside = std::max(text_width(left, text), text_width(right, text)) + text;
     const double results = std::max(text_width(texts.what, text), text_width(texts.result, text)) + text;
     const double from = results + margin_of(text) + beside;

@@ -36,8 +36,8 @@ void draw_labels(ByteImage &picture, const Strips &strips);
 
 /// What a difference's scale says.
 struct ScaleTexts {
-    std::string what, result;  ///< "A - B", "largest 0.31"
-    std::string first, second; ///< the pictures' names: "A", "truth"
+    std::string what, result; ///< "A - B", "largest 0.31"
+    std::string low, high;    ///< what its ends mean: "truth brighter", "A brighter"
     double gain = 1;
 };
 /// Draws the scale into the strip below: the colours with five numbers, which end means what.

@@ -32,7 +32,7 @@ void draw_vector(ByteImage &view, const Arrow &arrow, double em) {
               arrow.color);
 }
 
-void draw_light(ByteImage &view, const LightMark &light, double em) {
+void draw_light(ByteImage &view, const Words &words, const LightMark &light, double em) {
     const glm::dvec2 size(view.size.width, view.size.height);
     const LightGizmo &gizmo = light.gizmo;
     for (const auto &[color, width] : {std::pair(black, 0.2 * em), std::pair(light.color, 0.09 * em)}) {
@@ -48,10 +48,11 @@ void draw_light(ByteImage &view, const LightMark &light, double em) {
     const glm::dvec2 lamp = gizmo.lamp * size;
     draw_disc(view, lamp, (lamp_radius + 0.12) * em, black, 0.8);
     draw_disc(view, lamp, lamp_radius * em, light.color);
-    if (!light.name.empty()) {
+    if (light.named) {
+        const std::string name = words.format("light.numbered", gizmo.light + 1);
         const glm::dvec2 beside = lamp + glm::dvec2((lamp_radius + 0.6) * em, 0);
-        draw_line(view, beside, beside + glm::dvec2(text_width(light.name, em), 0), 1.2 * em, black, 0.6);
-        draw_name(view, beside - glm::dvec2(0, 0.5 * em), em, light.name, white);
+        draw_line(view, beside, beside + glm::dvec2(text_width(name, em), 0), 1.2 * em, black, 0.6);
+        draw_name(view, beside - glm::dvec2(0, 0.5 * em), em, name, white);
     }
 }
 
@@ -124,13 +125,12 @@ std::vector<LightMark> light_marks(const Scene &scene, double aspect) {
     const auto on = std::ranges::count_if(scene.lights, &Light::enabled);
     std::vector<LightMark> marks;
     for (const LightGizmo &gizmo : light_gizmos(scene, aspect)) {
-        marks.push_back(
-            {gizmo, bright(scene.lights[gizmo.light].color), on > 1 ? fmt::format("light {}", gizmo.light + 1) : ""});
+        marks.push_back({gizmo, bright(scene.lights[gizmo.light].color), on > 1});
     }
     return marks;
 }
 
-void draw_marks(ByteImage &view, const Marks &marks, const std::vector<Arrow> &arrows, double em,
+void draw_marks(ByteImage &view, const Words &words, const Marks &marks, const std::vector<Arrow> &arrows, double em,
                 const std::vector<LightMark> &lights) {
     const ByteImage plain = view;
     const double width = view.size.width, height = view.size.height;
@@ -140,7 +140,7 @@ void draw_marks(ByteImage &view, const Marks &marks, const std::vector<Arrow> &a
         draw_hairline(view, {-1, y}, {width + 1, y}, hair);
     }
     for (const LightMark &light : lights) {
-        draw_light(view, light, em);
+        draw_light(view, words, light, em);
     }
     if (marks.pixel && marks.vectors) {
         for (const Arrow &arrow : arrows) {

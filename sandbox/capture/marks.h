@@ -6,6 +6,7 @@
 #include "scene/light_gizmos.h"
 #include "scene/scene.h"
 #include "shading/technique.h"
+#include "words/words.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -38,7 +39,7 @@ std::vector<Arrow> arrows_of(const Scene &scene, Model model, const PixelProbe &
 struct LightMark {
     LightGizmo gizmo;
     Rgb color;
-    std::string name; ///< empty if no other light is on
+    bool named = false; ///< another light is on
 };
 std::vector<LightMark> light_marks(const Scene &scene, double aspect);
 constexpr double lamp_radius = 0.4; ///< text heights
@@ -47,8 +48,9 @@ constexpr int loupe_across = 21; ///< pixels, odd: the probed one is in the midd
 /// Is there more room for the loupe on the right of the pixel?
 bool loupe_on_the_right(const glm::dvec2 &pixel);
 
-/// Draws the marks over a view, their names in text of `em` pixels, by which the other sizes go.
-void draw_marks(ByteImage &view, const Marks &marks, const std::vector<Arrow> &arrows, double em,
+/// Draws the marks over a view, their names in text of `em` pixels, by which the other sizes go; `words` names the
+/// lights.
+void draw_marks(ByteImage &view, const Words &words, const Marks &marks, const std::vector<Arrow> &arrows, double em,
                 const std::vector<LightMark> &lights = {});
 
 } // namespace sandbox

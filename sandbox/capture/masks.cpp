@@ -2,6 +2,7 @@
 
 #include "image/cut_paste.h"
 #include "image/text.h"
+#include "measure/report/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,24 +29,22 @@ JudgedView judge_view(const Frame &drawn, const ReferenceFrame &truth) {
     return {compare(drawn, truth, Flip::without), pixel_uses(drawn.object_ids, truth)};
 }
 
-std::vector<LegendLine> mask_legend(const Metrics &metrics) {
+std::vector<LegendLine> mask_legend(const Words &words, const Metrics &metrics) {
     const double share = metrics.compared_share;
-    std::vector<LegendLine> legend{{{},
-                                    std::isnan(share)
-                                        ? "against its reference: nothing is shown"
-                                        : fmt::format("against its reference: {:.1f} % compared", 100 * share)}};
+    std::vector<LegendLine> legend{
+        {{}, std::isnan(share) ? words.text("mask.nothing") : words.format("mask.compared", 100 * share)}};
     for (const Mask &mask : masks) {
         const std::size_t pixels = metrics.*mask.pixels;
-        legend.push_back({mask.color, pixels == 0 ? fmt::format("{}: none", mask.name)
-                                                  : fmt::format("{}: {} pixels, error up to {:.2g}", mask.name, pixels,
-                                                                metrics.*mask.max_abs)});
+        const std::string name = title_of(words, mask);
+        legend.push_back({mask.color, pixels == 0 ? words.format("mask.none", name)
+                                                  : words.format("mask.pixels", name, pixels, metrics.*mask.max_abs)});
     }
     return legend;
 }
 
-void draw_mask_legend(ByteImage &picture, const Metrics &metrics, int left, int right, int bottom, double em,
-                      bool align_right) {
-    const std::vector<LegendLine> legend = mask_legend(metrics);
+void draw_mask_legend(ByteImage &picture, const Words &words, const Metrics &metrics, int left, int right, int bottom,
+                      double em, bool align_right) {
+    const std::vector<LegendLine> legend = mask_legend(words, metrics);
     const auto height = [&] { return (line * static_cast<double>(legend.size()) + margin) * em; };
     while (em >= smallest_text && (width_of(legend, em) > right - left || height() > bottom / 2.0)) {
         em *= 0.95;

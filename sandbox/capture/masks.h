@@ -2,6 +2,7 @@
 
 #include "image/image.h"
 #include "measure/metrics/metrics.h"
+#include "words/words.h"
 
 #include <array>
 #include <cstdint>
@@ -24,11 +25,11 @@ struct LegendLine {
     std::string text;
 };
 /// How much is compared; then what each mask's colour means, how many pixels it covers, the largest error under it.
-std::vector<LegendLine> mask_legend(const Metrics &metrics);
+std::vector<LegendLine> mask_legend(const Words &words, const Metrics &metrics);
 
 /// Over columns `left` to `right` (excluded) above row `bottom`, in text of `em` pixels or, where it does not fit,
 /// smaller; nothing where that could not be read.
-void draw_mask_legend(ByteImage &picture, const Metrics &metrics, int left, int right, int bottom, double em,
-                      bool align_right);
+void draw_mask_legend(ByteImage &picture, const Words &words, const Metrics &metrics, int left, int right, int bottom,
+                      double em, bool align_right);
 
 } // namespace sandbox

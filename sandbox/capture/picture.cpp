@@ -5,6 +5,7 @@
 #include "image/cut_paste.h"
 #include "image/difference.h"
 #include "image/error.h"
+#include "words/row_words.h"
 
 #include <algorithm>
 #include <array>
@@ -19,22 +20,23 @@ constexpr std::array<std::string_view, 3> difference_names{"a-b", "a-reference",
 
 /// In people's words.
 std::vector<std::string> label_texts(const PictureOptions &options) {
+    const Words words = words_in(options.language);
     const std::string left =
-        options.textbook_left ? fmt::format("textbook's float32, {}", title_of(model_key, model_key.get(options.left)))
-                              : title_of(options.left);
-    const std::string left_mesh = mesh_factor_note(options.mesh_factors[0]);
+        options.textbook_left ? words.format("label.textbook", title_of(words, model_key, model_key.get(options.left)))
+                              : title_of(words, options.left);
+    const std::string left_mesh = mesh_factor_note(words, options.mesh_factors[0]);
     const std::string a = "A  " + left + left_mesh;
-    const std::string b = "B  " + title_of(options.right) + mesh_factor_note(options.mesh_factors[1]);
+    const std::string b = "B  " + title_of(words, options.right) + mesh_factor_note(words, options.mesh_factors[1]);
     switch (options.layout) {
     case Layout::single:
         return {options.flip == FlipSide::none ? left + left_mesh : options.flip == FlipSide::a ? a : b};
     case Layout::three_up:
-        return {a, b, truth_label(options.left, options.mesh_factors[0])};
+        return {a, b, truth_label(words, options.left, options.mesh_factors[0])};
     case Layout::difference:
         if (options.difference_of != DifferenceOf::a_b) {
             const bool right = options.difference_of == DifferenceOf::b_truth;
             return {right ? b : a,
-                    truth_label(right ? options.right : options.left, options.mesh_factors[right ? 1 : 0])};
+                    truth_label(words, right ? options.right : options.left, options.mesh_factors[right ? 1 : 0])};
         }
         break;
     case Layout::side_by_side:
@@ -144,12 +146,13 @@ void paste_views(ByteImage &picture, const std::vector<ByteImage> &views, const 
 /// One legend a view that has masks; a wipe's stand in its halves.
 void draw_legends(ByteImage &picture, const std::vector<Metrics> &masked, const PictureOptions &options, int bottom,
                   double text) {
+    const Words words = words_in(options.language);
     const std::vector<Size> views = view_sizes(options.layout, options.size);
     const bool wipe = options.layout == Layout::wipe;
     int left = 0;
     for (std::size_t i = 0; i < masked.size(); ++i) {
         const int right = wipe && i == 0 ? options.size.width / 2 : wipe ? options.size.width : left + views[i].width;
-        draw_mask_legend(picture, masked[i], left, right, bottom, text, wipe && i == 1);
+        draw_mask_legend(picture, words, masked[i], left, right, bottom, text, wipe && i == 1);
         left = right;
     }
 }
@@ -179,7 +182,7 @@ void mark_views(ByteImage &picture, const Scene &scene, const PictureOptions &op
             }
         }
         ByteImage view = cut(picture, left, top, size);
-        draw_marks(view, options.marks, arrows, text,
+        draw_marks(view, words_in(options.language), options.marks, arrows, text,
                    options.drawn_over.lights ? light_marks(scene, aspect) : std::vector<LightMark>{});
         paste(picture, view, left, top);
         left += size.width;
@@ -188,19 +191,23 @@ void mark_views(ByteImage &picture, const Scene &scene, const PictureOptions &op
 
 } // namespace
 
-std::pair<const char *, const char *> names_of(DifferenceOf of) {
-    return {of == DifferenceOf::b_truth ? "B" : "A", of == DifferenceOf::a_b ? "B" : "truth"};
+std::pair<std::string, std::string> names_of(const Words &words, DifferenceOf of) {
+    return {of == DifferenceOf::b_truth ? "B" : "A", of == DifferenceOf::a_b ? "B" : words.text("truth")};
 }
 
-std::string difference_text(double largest) {
-    return !std::isfinite(largest) ? "not finite"
-           : largest == 0          ? "no pixel differs"
-                                   : fmt::format("largest {:.3g}", largest);
+std::string difference_text(const Words &words, double largest) {
+    return !std::isfinite(largest) ? words.text("difference.not_finite")
+           : largest == 0          ? words.text("difference.none")
+                                   : words.format("difference.largest", largest);
 }
 
-std::string truth_label(const Technique &technique, double mesh_factor) {
-    return fmt::format("truth  {}, per pixel, in double{}", title_of(model_key, model_key.get(technique)),
-                       mesh_factor_note(mesh_factor));
+std::string mesh_factor_note(const Words &words, double factor) {
+    return factor == 1 ? "" : words.format("label.mesh", mesh_factor_text(factor));
+}
+
+std::string truth_label(const Words &words, const Technique &technique, double mesh_factor) {
+    return words.format("label.truth", title_of(words, model_key, model_key.get(technique))) +
+           mesh_factor_note(words, mesh_factor);
 }
 
 std::string_view to_string(DifferenceOf of) { return difference_names[static_cast<std::size_t>(of)]; }
@@ -268,12 +275,13 @@ ByteImage show_picture(const Scene &scene, const PictureOptions &options, const 
     }
     draw_labels(shown, strips);
     if (strips.below > 0) {
-        const auto [first, second] = names_of(options.difference_of);
+        const Words words = words_in(options.language);
+        const auto [first, second] = names_of(words, options.difference_of);
         draw_scale(shown, strips,
                    {.what = fmt::format("{} - {}", first, second),
-                    .result = difference_text(largest_difference(views[0], views[1])),
-                    .first = first,
-                    .second = second,
+                    .result = difference_text(words, largest_difference(views[0], views[1])),
+                    .low = words.format("difference.brighter", second),
+                    .high = words.format("difference.brighter", first),
                     .gain = options.gain});
     }
     return shown;

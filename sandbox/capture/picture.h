@@ -7,6 +7,7 @@
 #include "scene/overlays.h"
 #include "scene/scene.h"
 #include "shading/technique.h"
+#include "words/words.h"
 
 #include <functional>
 #include <optional>
@@ -31,11 +32,13 @@ struct Painters {
     JudgeView judge{}; ///< judge_view(); for masks alone
 };
 /// The two pictures of a difference, as its scale names them: "A" and "truth".
-std::pair<const char *, const char *> names_of(DifferenceOf of);
+std::pair<std::string, std::string> names_of(const Words &words, DifferenceOf of);
 /// "not finite", "no pixel differs", "largest 0.25".
-std::string difference_text(double largest);
+std::string difference_text(const Words &words, double largest);
 /// "truth  Phong, per pixel, in double": over the reference that a technique is judged by, on the same mesh.
-std::string truth_label(const Technique &technique, double mesh_factor = 1);
+std::string truth_label(const Words &words, const Technique &technique, double mesh_factor = 1);
+/// As labels have it: ", mesh x 1/4"; empty for 1.
+std::string mesh_factor_note(const Words &words, double factor);
 /// The technique of the reference that a side is judged by: its model, per pixel, every fault off.
 Technique truth_of(const Technique &technique);
 
@@ -67,8 +70,9 @@ struct PictureOptions {
     Overlays drawn_over;
     bool masks = false; ///< in a PNG of views, not of a difference; samples are 1 then
     bool labels = false;
-    Marks marks;      ///< in a PNG
-    std::string view; ///< the named view that the camera came from, for the record
+    std::string language{languages.front()}; ///< of all that is written in the picture
+    Marks marks;                             ///< in a PNG
+    std::string view;                        ///< the named view that the camera came from, for the record
     bool operator==(const PictureOptions &) const = default;
 };
 

@@ -85,6 +85,9 @@ std::string sidecar_text(const Scene &scene, const PictureOptions &options, cons
                      {"exposure", options.exposure},
                      {"gain", options.gain},
                      {"labels", options.labels}};
+    if (options.language != languages.front()) {
+        out["language"] = options.language;
+    }
     if (options.textbook_left) {
         out["textbook_left"] = true;
     }
@@ -168,6 +171,7 @@ std::optional<PictureOptions> sidecar_options(std::string_view text, std::string
     read_value("exposure", options.exposure);
     read_value("gain", options.gain);
     read_value("labels", options.labels);
+    read("language", [&](const ordered_json &v) { options.language = checked_language(v.get<std::string>()); });
     read_value("view", options.view);
     return options;
 }

@@ -44,6 +44,7 @@ struct CaptureFlags {
     bool masks = false;
     bool labels = false;
     bool no_labels = false;
+    std::string language; ///< empty: the sidecar's, else English
     bool no_sidecar = false;
 };
 
@@ -147,6 +148,7 @@ PictureOptions picture_options(const CaptureFlags &flags) {
     }
     options.samples = one_sample ? 1 : options.samples;
     options.labels = (options.labels || flags.labels) && !flags.no_labels;
+    options.language = flags.language.empty() ? options.language : flags.language;
     options.view = flags.view.empty() ? options.view : flags.view;
     check_positive("--gain", options.gain);
     check_positive("--exposure", options.exposure);
@@ -331,6 +333,7 @@ void add_capture(CLI::App &app, CommonOptions &common, Run &run) {
     command.add_flag("--masks", flags->masks,
                      "In a PNG of views: which pixels error figures leave out, in colours with a legend");
     command.add_flag("--labels", flags->labels, "Write the techniques in a strip above the views");
+    add_language(command, flags->language, "Language of labels [the sidecar's, else en]");
     command.add_flag("--no-labels", flags->no_labels, "No labels, even if the sidecar asks for them");
     command.add_flag("--no-sidecar", flags->no_sidecar,
                      "Do not write FILE.json, the sidecar that reproduces the picture");

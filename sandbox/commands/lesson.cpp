@@ -23,13 +23,15 @@ struct LessonFlags {
 };
 
 /// The page and the slides. An error names the step.
-void write_lesson(const MeasuredLesson &measured, const std::filesystem::path &out, DrawingSession &session) {
+void write_lesson(const MeasuredLesson &measured, const std::string &language, const std::filesystem::path &out,
+                  DrawingSession &session) {
     const Lesson &lesson = measured.lesson;
     std::vector<ByteImage> slides;
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
         const LessonStep &step = lesson.steps[i];
         slides.push_back(with_flag(fmt::format("{}: steps[{}]", lesson.name, i), [&] {
-            const PictureOptions options = slide_options(step);
+            PictureOptions options = slide_options(step);
+            options.language = language;
             return show_picture(step.scene, options, painters_of(session.renderer(), options.drawn_over));
         }));
         write_output(out / fmt::format("{}-{:02}.png", lesson.name, i + 1), encode_png(slides.back()));
@@ -60,7 +62,7 @@ int run_lesson(const LessonFlags &flags, const CommonOptions &common) {
         measured.push_back({lesson, with_flag(lesson.name, [&] { return measure_lesson(lesson, draw); })});
         passed = passed && measured.back().result.passed();
         if (!flags.out.empty()) {
-            write_lesson(measured.back(), flags.out, session);
+            write_lesson(measured.back(), flags.language, flags.out, session);
         }
         if (!flags.json && (flags.check || flags.out.empty())) {
             print(lesson_table(measured.back()));

@@ -70,7 +70,7 @@ ReportRun measure(const ReportFlags &flags, const CommonOptions &common, const P
                          run.measured.rows.size()));
     }
     if (run.measured.finished) {
-        run.pictures = report_pictures(run.measured, draw);
+        run.pictures = report_pictures(run.words, run.measured, draw);
     }
     return run;
 }

@@ -2,6 +2,7 @@
 
 #include "image/glyphs.h"
 #include "image/segment.h"
+#include "image/system_font.h"
 
 #include <algorithm>
 #include <cmath>
@@ -129,10 +130,35 @@ void blend(ByteImage &image, const Mask &mask, std::array<std::uint8_t, 3> color
 
 } // namespace
 
+namespace {
+
+char stroke_character(char32_t character) { return character < 0x80 ? static_cast<char>(character) : '?'; }
+
+/// In glyph units.
+double advance(char32_t character, double height) {
+    const auto chinese = character >= first_chinese ? chinese_advance(character, height) : std::nullopt;
+    return chinese ? *chinese * glyph_top / height : advance(strokes_of(stroke_character(character)));
+}
+
+void add_glyph(Mask &mask, const GlyphPicture &glyph, double x, double y) {
+    const int left = static_cast<int>(std::lround(x + glyph.x)), top = static_cast<int>(std::lround(y + glyph.y));
+    for (int v = std::max(0, mask.top - top); v < std::min(glyph.height, mask.top + mask.size.height - top); ++v) {
+        for (int u = std::max(0, mask.left - left); u < std::min(glyph.width, mask.left + mask.size.width - left);
+             ++u) {
+            const auto at =
+                static_cast<std::size_t>(v) * static_cast<std::size_t>(glyph.width) + static_cast<std::size_t>(u);
+            double &pixel = mask.cover[mask.index(left + u, top + v)];
+            pixel = std::max(pixel, glyph.cover[at] / 255.0);
+        }
+    }
+}
+
+} // namespace
+
 double text_width(std::string_view text, double height) {
     double width = 0;
-    for (const char c : text) {
-        width += advance(strokes_of(c));
+    while (!text.empty()) {
+        width += advance(take_character(text), height);
     }
     return std::max(0.0, width - glyph_gap + 2 * stroke_radius) * height / glyph_top;
 }
@@ -142,8 +168,14 @@ void draw_text(ByteImage &image, double x, double y, double height, std::string_
     const double scale = height / glyph_top;
     Mask mask = mask_of(image, x, y, text_width(text, height), height);
     double pen = x + stroke_radius * scale;
-    for (const char c : text) {
-        const std::vector<Polyline> strokes = strokes_of(c);
+    while (!text.empty()) {
+        const char32_t character = take_character(text);
+        if (const auto glyph = character >= first_chinese ? chinese_glyph(character, height) : std::nullopt) {
+            add_glyph(mask, *glyph, pen, y);
+            pen += *chinese_advance(character, height);
+            continue;
+        }
+        const std::vector<Polyline> strokes = strokes_of(stroke_character(character));
         for (const Polyline &stroke : strokes) {
             for (std::size_t i = 0; i < stroke.size(); ++i) {
                 const auto place = [&](glm::dvec2 p) {

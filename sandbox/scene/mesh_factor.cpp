@@ -53,8 +53,6 @@ std::string mesh_factor_text(double factor) {
     return divisor > 1 && 1 / divisor == factor ? fmt::format("1/{}", divisor) : fmt::format("{:.4g}", factor);
 }
 
-std::string mesh_factor_note(double factor) { return factor == 1 ? "" : ", mesh x " + mesh_factor_text(factor); }
-
 double parse_mesh_factor(std::string_view text) {
     const std::size_t slash = text.find('/');
     const double above = parse_number(text.substr(0, slash));

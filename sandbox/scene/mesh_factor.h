@@ -22,8 +22,6 @@ Scene with_mesh_factor(Scene scene, double factor);
 
 /// "1/4", "2", "0.3".
 std::string mesh_factor_text(double factor);
-/// As labels have it: ", mesh x 1/4"; empty for 1.
-std::string mesh_factor_note(double factor);
 /// Throws InputError unless `text` is "1/4" or "0.25", from 1/64 to 64.
 double parse_mesh_factor(std::string_view text);
 /// The factor itself. Throws InputError unless it is from 1/64 to 64.

@@ -2,6 +2,7 @@
 
 #include "ui/session/edits.h"
 #include "ui/tabs/bottom_tabs.h"
+#include "words/row_words.h"
 
 #include <GLFW/glfw3.h>
 #include <algorithm>
@@ -32,24 +33,32 @@ std::function<void(Session &)> scale_by(float factor) {
     return [factor](Session &s) { s.appearance.scale = std::clamp(s.appearance.scale * factor, 0.6F, 3.0F); };
 }
 
-Action show_layout(char key, const char *name, const char *help, Layout layout) {
+using Said = std::function<std::string(const Words &)>;
+Said said(const std::string &key) {
+    return [key](const Words &words) { return words.text(key); };
+}
+
+Action show_layout(char key, const std::string &word, Layout layout) {
     return {Action::Group::layout,
             plain,
             key,
             {key},
-            name,
-            help,
+            said("layout." + word),
+            said("layout." + word + ".help"),
             [layout](Session &s) { s.view.layout = layout; },
-            [layout](const Session &s) { return s.view.layout == layout; }};
+            [layout](const Session &s) { return s.view.layout == layout; },
+            {},
+            false,
+            said("layout." + word + ".brief")};
 }
 
-Action switch_flag(int key, const char *shown, const char *name, bool Appearance::*flag) {
+Action switch_flag(int key, const char *shown, const std::string &word, bool Appearance::*flag) {
     return {window,
             plain,
             key,
             shown,
-            name,
-            "",
+            said("action." + word),
+            {},
             [flag](Session &s) { s.appearance.*flag = !(s.appearance.*flag); },
             [flag](const Session &s) { return s.appearance.*flag; }};
 }
@@ -82,39 +91,80 @@ std::vector<Action> make_actions() {
     const auto has_answer = [](const Session &s) { return s.document.step && s.document.step->step().question; };
     const auto can_redo = [](const Session &s) { return s.history.can_redo(); };
     std::vector<Action> all{
-        show_layout('1', "side by side", "A and B beside each other", Layout::side_by_side),
-        show_layout('2', "wipe", "A and B in one picture; drag the divider", Layout::wipe),
-        show_layout('3', "flip", "A, or B while Space is held", Layout::single),
-        show_layout('4', "difference", "A - B in colours, with a scale", Layout::difference),
-        show_layout('5', "with the truth", "A, B and the double-precision reference of A's model", Layout::three_up),
-        {keys, plain, GLFW_KEY_F, "F", "next frequency of A", "", next_value(frequency_key, false)},
-        {keys, shift, GLFW_KEY_F, "Shift+F", "next frequency of B", "", next_value(frequency_key, true)},
-        {keys, plain, GLFW_KEY_M, "M", "next reflection model of A", "", next_value(model_key, false)},
-        {keys, shift, GLFW_KEY_M, "Shift+M", "next reflection model of B", "", next_value(model_key, true)},
-        {edit, control, GLFW_KEY_Z, "Ctrl+Z", "undo", "", undo, {}, can_undo, true},
-        {edit, control | shift, GLFW_KEY_Z, "Ctrl+Shift+Z", "redo", "", redo, {}, can_redo, true},
-        {keys, control, GLFW_KEY_Y, "", "redo", "", redo, {}, {}, true},
-        {edit, control, GLFW_KEY_C, "Ctrl+C", "copy the scene as JSON", "",
+        show_layout('1', "side_by_side", Layout::side_by_side),
+        show_layout('2', "wipe", Layout::wipe),
+        show_layout('3', "single", Layout::single),
+        show_layout('4', "difference", Layout::difference),
+        show_layout('5', "three_up", Layout::three_up),
+        {keys, plain, GLFW_KEY_F, "F", said("action.next_frequency_a"), {}, next_value(frequency_key, false)},
+        {keys, shift, GLFW_KEY_F, "Shift+F", said("action.next_frequency_b"), {}, next_value(frequency_key, true)},
+        {keys, plain, GLFW_KEY_M, "M", said("action.next_model_a"), {}, next_value(model_key, false)},
+        {keys, shift, GLFW_KEY_M, "Shift+M", said("action.next_model_b"), {}, next_value(model_key, true)},
+        {edit, control, GLFW_KEY_Z, "Ctrl+Z", said("action.undo"), {}, undo, {}, can_undo, true},
+        {edit, control | shift, GLFW_KEY_Z, "Ctrl+Shift+Z", said("action.redo"), {}, redo, {}, can_redo, true},
+        {keys, control, GLFW_KEY_Y, "", said("action.redo"), {}, redo, {}, {}, true},
+        {edit,
+         control,
+         GLFW_KEY_C,
+         "Ctrl+C",
+         said("action.copy_scene"),
+         {},
          [](Session &s) { s.requests.copy_scene = true; }},
-        {edit, control, GLFW_KEY_V, "Ctrl+V", "paste a scene", "", [](Session &s) { s.requests.paste_scene = true; }},
-        {keys, control, GLFW_KEY_O, "Ctrl+O", "open a file", "", [](Session &s) { s.requests.ask_open = true; }},
-        {keys, control, GLFW_KEY_S, "Ctrl+S", "save the scene", "", [](Session &s) { s.requests.ask_save = true; }},
-        {edit, plain, GLFW_KEY_X, "X", "exchange A and B", "", exchange_sides},
-        {edit, plain, no_key, "", "scene as opened", "", reset_scene},
-        {edit, plain, GLFW_KEY_R, "R", "camera as opened", "", [](Session &s) { reset_camera(s.document); }},
-        {keys, plain, GLFW_KEY_D, "D", "display linear or sRGB", "", switch_display},
-        {edit, plain, GLFW_KEY_A, "A", "play the motion", "plays and pauses what the Motion tab names", play_or_pause,
+        {edit,
+         control,
+         GLFW_KEY_V,
+         "Ctrl+V",
+         said("action.paste_scene"),
+         {},
+         [](Session &s) { s.requests.paste_scene = true; }},
+        {keys,
+         control,
+         GLFW_KEY_O,
+         "Ctrl+O",
+         said("action.open_file"),
+         {},
+         [](Session &s) { s.requests.ask_open = true; }},
+        {keys,
+         control,
+         GLFW_KEY_S,
+         "Ctrl+S",
+         said("action.save_scene"),
+         {},
+         [](Session &s) { s.requests.ask_save = true; }},
+        {edit, plain, GLFW_KEY_X, "X", said("action.exchange"), {}, exchange_sides},
+        {edit, plain, no_key, "", said("action.reset_scene"), {}, reset_scene},
+        {edit, plain, GLFW_KEY_R, "R", said("action.reset_camera"), {}, [](Session &s) { reset_camera(s.document); }},
+        {keys, plain, GLFW_KEY_D, "D", said("action.switch_display"), {}, switch_display},
+        {edit, plain, GLFW_KEY_A, "A", said("action.play"), said("action.play.help"), play_or_pause,
          [](const Session &s) { return s.playback.playing; }},
-        {keys, plain, GLFW_KEY_COMMA, ",", "a moment back", "", [](Session &s) { step_motion(s, -1); }, {}, {}, true},
-        {keys, plain, GLFW_KEY_PERIOD, ".", "a moment on", "", [](Session &s) { step_motion(s, 1); }, {}, {}, true},
-        {keys, plain, GLFW_KEY_F12, "F12", "capture the views as a PNG", "", ask_for_capture},
-        {keys, shift, GLFW_KEY_F12, "Shift+F12", "capture the whole window", "", ask_for_window_capture},
+        {keys,
+         plain,
+         GLFW_KEY_COMMA,
+         ",",
+         said("action.moment_back"),
+         {},
+         [](Session &s) { step_motion(s, -1); },
+         {},
+         {},
+         true},
+        {keys,
+         plain,
+         GLFW_KEY_PERIOD,
+         ".",
+         said("action.moment_on"),
+         {},
+         [](Session &s) { step_motion(s, 1); },
+         {},
+         {},
+         true},
+        {keys, plain, GLFW_KEY_F12, "F12", said("action.capture"), {}, ask_for_capture},
+        {keys, shift, GLFW_KEY_F12, "Shift+F12", said("action.capture_window"), {}, ask_for_window_capture},
         {lesson,
          plain,
          GLFW_KEY_PAGE_DOWN,
          "Page down",
-         "the next step",
-         "",
+         said("action.next_step"),
+         {},
          [](Session &s) { go_on(s, 1); },
          {},
          in_lesson,
@@ -123,8 +173,8 @@ std::vector<Action> make_actions() {
          plain,
          GLFW_KEY_PAGE_UP,
          "Page up",
-         "the step before",
-         "",
+         said("action.step_before"),
+         {},
          [](Session &s) { go_on(s, -1); },
          {},
          in_lesson,
@@ -133,37 +183,36 @@ std::vector<Action> make_actions() {
          plain,
          GLFW_KEY_HOME,
          "Home",
-         "back to the step",
-         "undoes what you changed in it",
+         said("action.restore_step"),
+         said("action.restore_step.help"),
          restore_step,
          {},
          step_is_changed},
-        {lesson, plain, GLFW_KEY_END, "End", "the answer", "shows and hides it", show_answer, shows_answer, has_answer},
+        {lesson, plain, GLFW_KEY_END, "End", said("action.answer"), said("action.answer.help"), show_answer,
+         shows_answer, has_answer},
         switch_flag(GLFW_KEY_TAB, "Tab", "panels", &Appearance::panels),
-        switch_flag(GLFW_KEY_F11, "F11", "full screen", &Appearance::full_screen),
+        switch_flag(GLFW_KEY_F11, "F11", "full_screen", &Appearance::full_screen),
         switch_flag(GLFW_KEY_T, "T", "dark", &Appearance::dark),
-        {window, control, GLFW_KEY_EQUAL, "Ctrl +", "everything larger", "", larger, {}, {}, true},
-        {keys, control | shift, GLFW_KEY_EQUAL, "", "everything larger", "", larger, {}, {}, true},
-        {keys, control, GLFW_KEY_KP_ADD, "", "everything larger", "", larger, {}, {}, true},
-        {window, control, GLFW_KEY_MINUS, "Ctrl -", "everything smaller", "", smaller, {}, {}, true},
-        {keys, control, GLFW_KEY_KP_SUBTRACT, "", "everything smaller", "", smaller, {}, {}, true},
-        {window, control, GLFW_KEY_0, "Ctrl 0", "everything at its first size", "", first_scale},
-        switch_flag(GLFW_KEY_F1, "?  F1", "keys and mouse", &Appearance::key_list),
-        {keys, plain, GLFW_KEY_ESCAPE, "", "close the list of keys", "", close_key_list},
-        {window, plain, GLFW_KEY_K, "K", "masks", "the pixels that errors against the reference leave out",
-         switch_masks, shows_masks},
-        {window, plain, GLFW_KEY_Z, "Z", "loupe", "magnifies the pixels under the mouse in every picture", switch_loupe,
-         shows_loupe},
-        {window, plain, no_key, "", "open the folder of captures", "", ask_for_folder},
-        {window, control, GLFW_KEY_Q, "Ctrl+Q", "quit", "", [](Session &s) { s.requests.quit = true; }},
+        {window, control, GLFW_KEY_EQUAL, "Ctrl +", said("action.larger"), {}, larger, {}, {}, true},
+        {keys, control | shift, GLFW_KEY_EQUAL, "", said("action.larger"), {}, larger, {}, {}, true},
+        {keys, control, GLFW_KEY_KP_ADD, "", said("action.larger"), {}, larger, {}, {}, true},
+        {window, control, GLFW_KEY_MINUS, "Ctrl -", said("action.smaller"), {}, smaller, {}, {}, true},
+        {keys, control, GLFW_KEY_KP_SUBTRACT, "", said("action.smaller"), {}, smaller, {}, {}, true},
+        {window, control, GLFW_KEY_0, "Ctrl 0", said("action.first_size"), {}, first_scale},
+        switch_flag(GLFW_KEY_F1, "?  F1", "key_list", &Appearance::key_list),
+        {keys, plain, GLFW_KEY_ESCAPE, "", said("action.close_keys"), {}, close_key_list},
+        {window, plain, GLFW_KEY_K, "K", said("action.masks"), said("action.masks.help"), switch_masks, shows_masks},
+        {window, plain, GLFW_KEY_Z, "Z", said("action.loupe"), said("action.loupe.help"), switch_loupe, shows_loupe},
+        {window, plain, no_key, "", said("action.open_folder"), {}, ask_for_folder},
+        {window, control, GLFW_KEY_Q, "Ctrl+Q", said("action.quit"), {}, [](Session &s) { s.requests.quit = true; }},
     };
     for (const OverlayKind &kind : overlay_kinds) {
         all.push_back({window,
                        plain,
                        kind.key,
                        {kind.key},
-                       std::string(kind.title),
-                       std::string(kind.help),
+                       [kind](const Words &words) { return title_of(words, kind); },
+                       [kind](const Words &words) { return help_of(words, kind); },
                        [on = kind.on](Session &s) { s.view.drawn_over.*on = !(s.view.drawn_over.*on); },
                        [on = kind.on](const Session &s) { return s.view.drawn_over.*on; }});
     }
@@ -173,8 +222,8 @@ std::vector<Action> make_actions() {
                        plain,
                        row.key,
                        {row.key},
-                       row.title,
-                       "",
+                       said(title_key(row)),
+                       {},
                        [tab](Session &s) { toggle_tab(s, tab); },
                        [tab](const Session &s) { return s.appearance.tab == tab; }});
     }
@@ -186,6 +235,13 @@ std::vector<Action> make_actions() {
 std::span<const Action> actions() {
     static const std::vector<Action> all = make_actions();
     return all;
+}
+
+Label label_of(const Session &session, const Action &action) {
+    return {action.name(session.words), action.name(session.words.english())};
+}
+std::string help_of(const Session &session, const Action &action) {
+    return action.help ? action.help(session.words) : std::string();
 }
 
 } // namespace sandbox

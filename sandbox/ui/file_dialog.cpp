@@ -83,7 +83,7 @@ void FileDialog::draw_fields(Session &session, const std::vector<std::string> &r
     ImGui::SetNextItemWidth(-1);
     const bool entered =
         ImGui::InputText("##path", &path_, ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
-    describe_item(session, "path", "A path, or the name of a built-in scene.", path_);
+    describe_item(session, "path", session.text("file.path.help"), path_);
     if (purpose_ == Purpose::open) {
         for (const std::string &file : recent) {
             if (ImGui::Selectable(file.c_str())) {
@@ -92,13 +92,14 @@ void FileDialog::draw_fields(Session &session, const std::vector<std::string> &r
             describe_item(session, file, "");
         }
     }
-    const bool done = button(session, purpose_ == Purpose::save ? "Save" : "Open", "");
+    const bool done = button(session, session.label(purpose_ == Purpose::save ? "file.save" : "file.open"), "");
     ImGui::SameLine();
-    const bool cancelled = button(session, "Cancel", "") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    const bool cancelled =
+        button(session, session.label("cancel"), "") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
     if (!command_.empty()) {
         ImGui::SameLine();
         ImGui::BeginDisabled(job_ != nullptr);
-        if (button(session, "Browse...", "The desktop's own dialog.")) {
+        if (button(session, session.label("file.browse"), session.text("file.browse.help"))) {
             browse();
         }
         ImGui::EndDisabled();
@@ -112,13 +113,13 @@ void FileDialog::draw_fields(Session &session, const std::vector<std::string> &r
 }
 
 void FileDialog::draw(Session &session, const std::vector<std::string> &recent) {
-    const char *title =
-        purpose_ == Purpose::save ? "Save the scene as###file" : "Open a scene, a model or a capture###file";
+    const std::string title =
+        session.text(purpose_ == Purpose::save ? "file.save.title" : "file.open.title") + "###file";
     if (asked_) {
         ImGui::OpenPopup("###file");
     }
     ImGui::SetNextWindowSize({std::min(ImGui::GetFontSize() * 40, ImGui::GetMainViewport()->WorkSize.x * 0.9F), 0});
-    if (!ImGui::BeginPopupModal(title, nullptr, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove)) {
+    if (!ImGui::BeginPopupModal(title.c_str(), nullptr, ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove)) {
         return;
     }
     draw_fields(session, recent);

@@ -20,6 +20,8 @@ class FileDialog {
     FileDialog(const FileDialog &) = delete;
     FileDialog &operator=(const FileDialog &) = delete;
 
+    /// As typed so far.
+    [[nodiscard]] const std::string &path() const { return path_; }
     enum class Purpose { open, save };
     void show(Purpose purpose, std::string path);
     /// Once a frame. What the user settles for becomes a request of the session.

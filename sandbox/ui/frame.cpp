@@ -39,7 +39,7 @@ float side_width(const Session &session, const ImGuiViewport &window) {
 
 /// An edge in a window of its own, which Ctrl+Tab reaches: where it is moved to.
 std::optional<float> draw_edge(Session &session, const char *name, ImVec2 position, ImVec2 size, float &chosen,
-                               const char *hint) {
+                               const std::string &hint) {
     constexpr ImGuiWindowFlags flags =
         fixed_window | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoFocusOnAppearing;
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
@@ -69,14 +69,14 @@ void draw_edges(Session &session, ImVec2 origin, float side, ImVec2 room, float 
     PanelSizes &sizes = session.appearance.sizes;
     const float thickness = edge_thickness(), end = origin.y + room.y;
     if (const auto x = draw_edge(session, "side edge", {origin.x + side - thickness, origin.y}, {thickness, room.y},
-                                 sizes.side_ems, "Drag to make the panel wider or narrower.")) {
+                                 sizes.side_ems, session.text("edge.side.help"))) {
         sizes.side_ems = std::clamp(*x / ImGui::GetFontSize(), least_side_ems, most_side_ems);
     }
     if (!session.appearance.tab) {
         return;
     }
     if (const auto y = draw_edge(session, "bottom edge", {origin.x + side, end - bottom}, {room.x, thickness},
-                                 sizes.bottom_share, "Drag to give the pictures more or less room.")) {
+                                 sizes.bottom_share, session.text("edge.bottom.help"))) {
         sizes.bottom_share = std::clamp((end - *y) / room.y, least_bottom_share, most_bottom_share);
     }
 }
@@ -93,8 +93,6 @@ void draw_bottom(Session &session, ViewPainter &painter, BottomPanel &panel, ImV
     ImGui::End();
 }
 
-constexpr const char *first_help = "Drag to orbit, wheel to come closer.  ? lists the keys.";
-
 /// The hint about what the mouse is over or, without one, the last message.
 void status_line(Session &session, float height) {
     StatusLine &status = session.status;
@@ -105,7 +103,7 @@ void status_line(Session &session, float height) {
     }
     ImGui::SetCursorPosY((height - ImGui::GetTextLineHeight()) / 2);
     const ImVec2 low = ImGui::GetCursorScreenPos();
-    const std::string message = session.message.text.empty() ? first_help : session.message.text;
+    const std::string message = session.message.text.empty() ? session.text("status.first") : session.message.text;
     describe_text(session, "Status", low,
                   {low.x + ImGui::GetContentRegionAvail().x, low.y + ImGui::GetTextLineHeight()}, message);
     if (!session.hint.empty() && session.hint != status.hidden_hint) {

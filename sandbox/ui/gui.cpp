@@ -1,5 +1,6 @@
 #include "ui/gui.h"
 
+#include "image/system_font.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
 
@@ -36,9 +37,9 @@ Gui::~Gui() {
     ImGui::DestroyContext();
 }
 
-void Gui::restyle(bool dark, float scale) {
-    if (scale != scale_) {
-        load_fonts(scale);
+void Gui::restyle(bool dark, float scale, const std::set<char32_t> &chinese) {
+    if (scale != scale_ || chinese.size() != characters_) {
+        load_fonts(scale, chinese);
         if (scale_ != 0) { // the first texture is made by the backend itself
             ImGui_ImplOpenGL3_DestroyFontsTexture();
             ImGui_ImplOpenGL3_CreateFontsTexture();
@@ -47,17 +48,23 @@ void Gui::restyle(bool dark, float scale) {
     }
     apply_theme(dark, scale);
     scale_ = scale;
+    characters_ = chinese.size();
     dark_ = dark;
 }
 
-void Gui::begin_frame(const Appearance &appearance, bool lesson) {
-    const float scale = appearance.scale * host_.content_scale();
-    if (scale != scale_ || appearance.dark != dark_) {
-        restyle(appearance.dark, scale);
-    }
-    ImGui_ImplOpenGL3_NewFrame();
+void Gui::begin_frame(const Appearance &appearance, bool lesson, std::set<char32_t> &chinese) {
     host_.feed_gui();
     ImGuiIO &io = ImGui::GetIO();
+    for (const ImWchar typed : io.InputQueueCharacters) {
+        if (typed >= first_chinese) {
+            chinese.insert(typed);
+        }
+    }
+    const float scale = appearance.scale * host_.content_scale();
+    if (scale != scale_ || appearance.dark != dark_ || chinese.size() != characters_) {
+        restyle(appearance.dark, scale, chinese);
+    }
+    ImGui_ImplOpenGL3_NewFrame();
     io.KeyMap[ImGuiKey_Tab] = io.KeyCtrl ? GLFW_KEY_TAB : -1; // Ctrl+Tab goes to the next panel, Tab hides them all
     for (const auto &[key, code] :
          {std::pair(ImGuiKey_PageUp, GLFW_KEY_PAGE_UP), std::pair(ImGuiKey_PageDown, GLFW_KEY_PAGE_DOWN),

@@ -3,6 +3,8 @@
 #include "ui/host.h"
 #include "ui/session/session.h"
 
+#include <cstddef>
+#include <set>
 #include <string>
 
 namespace sandbox {
@@ -16,9 +18,10 @@ class Gui {
     Gui(const Gui &) = delete;
     Gui &operator=(const Gui &) = delete;
 
-    /// Begins a frame with this theme and scale; loads new fonts if the scale changed. `lesson`: Page up and down, Home
-    /// and End go through its steps, and scroll nothing but the list of keys.
-    void begin_frame(const Appearance &appearance, bool lesson);
+    /// Begins a frame with this theme and scale; loads new fonts if the scale changed or `chinese`, the characters in
+    /// use, has become more, to which what is typed is added. `lesson`: Page up and down, Home and End go through its
+    /// steps, and scroll nothing but the list of keys.
+    void begin_frame(const Appearance &appearance, bool lesson, std::set<char32_t> &chinese);
     /// Lays the frame out. False if it would show what the last one does; `pictures` counts the changes of the
     /// textures that it shows.
     bool end_frame(unsigned long pictures);
@@ -26,11 +29,12 @@ class Gui {
     static void draw();
 
   private:
-    void restyle(bool dark, float scale);
+    void restyle(bool dark, float scale, const std::set<char32_t> &chinese);
 
     Host &host_;
     bool dark_ = true;
     float scale_ = 0;             ///< of the fonts that are loaded; 0: none yet
+    std::size_t characters_ = 0;  ///< of those fonts: Chinese ones
     std::string shown_, pending_; ///< the bytes of the draw lists of the last frame and of this one
 };
 

@@ -20,43 +20,36 @@ namespace {
 struct HelpLine {
     std::string shown, help;
 };
-const HelpLine keyboard_help[] = {
-    {"", "Panels by keyboard"},
-    {"Ctrl+Tab", "to another panel or the menu bar"},
-    {"arrows", "to another control; Home, End, Page up and down"},
-    {"Space", "press; into a list"},
-    {"Enter", "type a number; Escape: leave"},
-    {"arrows", "on a panel's edge: move it; Enter: back"},
-};
-const HelpLine mouse_help[] = {
-    {"", "Mouse"},
-    {"drag", "orbit around the target"},
-    {"drag a light", "move it, or turn it by its tip or tail"},
-    {"right drag", "move across the picture"},
-    {"wheel", "closer, farther"},
-    {"double click", "camera as opened"},
-    {"Ctrl+click", "type a slider's number"},
-    {"right click", "back to the scene's value"},
-    {"drop a file",
-     "open a scene, a lesson, a model or a capture's .json; a .png or .jpg: the texture of the object shown"},
-};
+/// Below the actions: groups of lines, each a text and its help.
+constexpr std::string_view panel_lines[] = {"ctrl_tab", "arrows", "space", "enter", "edge"};
+constexpr std::string_view mouse_lines[] = {"drag",         "drag_light", "right_drag",  "wheel",
+                                            "double_click", "ctrl_click", "right_click", "drop"};
 
-std::vector<HelpLine> help_lines() {
+void add_lines(std::vector<HelpLine> &lines, const Session &session, std::string_view group,
+               std::span<const std::string_view> words) {
+    lines.push_back({"", session.text(fmt::format("keys.{}", group))});
+    for (const std::string_view word : words) {
+        const std::string key = fmt::format("keys.{}.{}", group, word);
+        lines.push_back({session.text(key), session.text(key + ".help")});
+    }
+}
+
+std::vector<HelpLine> help_lines(const Session &session) {
     using Group = Action::Group;
     std::vector<HelpLine> lines;
-    for (const auto &[group, title] :
-         {std::pair(Group::layout, "Views"), std::pair(Group::key_only, "Keys"), std::pair(Group::edit, "Edit"),
-          std::pair(Group::lesson, "Lesson"), std::pair(Group::window, "Window and tabs")}) {
-        lines.push_back({"", title});
+    for (const auto &[group, title] : {std::pair(Group::layout, "keys.views"), std::pair(Group::key_only, "keys.keys"),
+                                       std::pair(Group::edit, "menu.edit"), std::pair(Group::lesson, "menu.lesson"),
+                                       std::pair(Group::window, "keys.window")}) {
+        lines.push_back({"", session.text(title)});
         for (const Action &action : actions()) {
             if (action.group == group && !action.shown.empty()) {
-                const char *colon = action.help.empty() ? "" : ": ";
-                lines.push_back({action.shown, action.name + colon + action.help});
+                const std::string name = label_of(session, action).shown, help = help_of(session, action);
+                lines.push_back({action.shown, help.empty() ? name : session.text("keys.line", name, help)});
             }
         }
     }
-    lines.insert(lines.end(), std::begin(keyboard_help), std::end(keyboard_help));
-    lines.insert(lines.end(), std::begin(mouse_help), std::end(mouse_help));
+    add_lines(lines, session, "panels", panel_lines);
+    add_lines(lines, session, "mouse", mouse_lines);
     return lines;
 }
 
@@ -73,8 +66,8 @@ void draw_help(const HelpLine &line) {
 }
 
 /// In as many columns as the window is wide for, two at most.
-void draw_help_columns(float width) {
-    const std::vector<HelpLine> lines = help_lines();
+void draw_help_columns(const Session &session, float width) {
+    const std::vector<HelpLine> lines = help_lines(session);
     const bool two = width > 2 * column_ems * ImGui::GetFontSize();
     const float column = two ? (width - ImGui::GetFontSize()) / 2 : width;
     const std::size_t first = two ? (lines.size() + 1) / 2 : lines.size();
@@ -135,8 +128,8 @@ void key_list(Session &session) {
     ImGui::SetNextWindowPos(window.GetWorkCenter(), ImGuiCond_Always, ImVec2(0.5F, 0.5F));
     const ImGuiWindowFlags flags = ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoCollapse |
                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoMove;
-    if (ImGui::Begin("Keys and mouse", &session.appearance.key_list, flags)) {
-        draw_help_columns(width);
+    if (ImGui::Begin(session.label("keys.title").id().c_str(), &session.appearance.key_list, flags)) {
+        draw_help_columns(session, width);
         scroll_by_keys();
     }
     const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();

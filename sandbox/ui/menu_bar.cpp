@@ -15,64 +15,66 @@ namespace sandbox {
 
 namespace {
 
-bool begin_menu(Session &session, const char *title) {
-    const bool open = ImGui::BeginMenu(title);
+bool begin_menu(Session &session, const Label &title) {
+    const bool open = ImGui::BeginMenu(title.id().c_str());
     if (!open) { // an open one has begun a window: there is no last item
-        describe_item(session, title, "");
+        describe_item(session, title.name, "", title.shown);
     }
     return open;
 }
 
 void scene_menu(Session &session) {
-    if (!begin_menu(session, "Scene")) {
+    const Label title = session.label("menu.scene");
+    if (!begin_menu(session, title)) {
         return;
     }
     for (const std::string &name : session.scenes) {
-        const ScopedName menu(session, "Scene");
+        const ScopedName menu(session, title.name);
         if (ImGui::MenuItem(name.c_str(), nullptr, name == session.document.opened->name)) {
             session.requests.open = name;
         }
         describe_item(session, name, "");
     }
     ImGui::Separator();
-    for (const auto &[name, key, asked] : {std::tuple("Open...", "Ctrl+O", &session.requests.ask_open),
-                                           std::tuple("Save...", "Ctrl+S", &session.requests.ask_save)}) {
-        const ScopedName menu(session, "Scene");
-        *asked = ImGui::MenuItem(name, key) || *asked;
-        describe_item(session, name, "");
+    for (const auto &[text, key, asked] : {std::tuple("menu.open", "Ctrl+O", &session.requests.ask_open),
+                                           std::tuple("menu.save", "Ctrl+S", &session.requests.ask_save)}) {
+        const ScopedName menu(session, title.name);
+        const Label name = session.label(text);
+        *asked = ImGui::MenuItem(name.id().c_str(), key) || *asked;
+        describe_item(session, name.name, "", name.shown);
     }
-    ImGui::TextColored(quiet_text(), "or drop a .json, .obj or image file on the window");
+    ImGui::TextColored(quiet_text(), "%s", session.text("menu.drop").c_str());
     ImGui::EndMenu();
 }
 
-void action_items(Session &session, const char *title, Action::Group group) {
+void action_items(Session &session, const Label &title, Action::Group group) {
     for (const Action &action : actions()) {
         if (action.group == group) {
-            const ScopedName menu(session, title);
-            std::string name = action.name;
-            name.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
-            if (ImGui::MenuItem(name.c_str(), action.shown.c_str(), action.is_on && action.is_on(session),
+            const ScopedName menu(session, title.name);
+            Label name = label_of(session, action);
+            name.shown.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(name.shown.front())));
+            if (ImGui::MenuItem(name.id().c_str(), action.shown.c_str(), action.is_on && action.is_on(session),
                                 !action.is_usable || action.is_usable(session))) {
                 action.run(session);
             }
-            describe_item(session, action.name, "");
+            describe_item(session, name.name, "", name.shown);
         }
     }
 }
 
-void action_menu(Session &session, const char *title, Action::Group group) {
+void action_menu(Session &session, const Label &title, Action::Group group) {
     if (begin_menu(session, title)) {
         action_items(session, title, group);
         ImGui::EndMenu();
     }
 }
 
-void lesson_items(Session &session, bool bugs) {
+void lesson_items(Session &session, const Label &title, bool bugs) {
     const std::string shown = session.document.step ? session.document.step->id : "";
     for (const ListedLesson &lesson : session.lessons) {
         if (lesson.bug == bugs) {
-            const ScopedName menu(session, "Lesson");
-            if (ImGui::MenuItem(lesson.title.c_str(), nullptr, lesson.name == shown)) {
+            const ScopedName menu(session, title.name);
+            if (ImGui::MenuItem(Label(lesson.title, lesson.name).id().c_str(), nullptr, lesson.name == shown)) {
                 session.requests.open_lesson = lesson.name;
             }
             describe_item(session, lesson.name, "", lesson.title);
@@ -81,52 +83,60 @@ void lesson_items(Session &session, bool bugs) {
 }
 
 void lesson_menu(Session &session) {
-    if (!begin_menu(session, "Lesson")) {
+    const Label title = session.label("menu.lesson");
+    if (!begin_menu(session, title)) {
         return;
     }
-    lesson_items(session, false);
-    if (begin_menu(session, "Famous bugs")) {
-        lesson_items(session, true);
+    lesson_items(session, title, false);
+    if (begin_menu(session, session.label("menu.bugs"))) {
+        lesson_items(session, title, true);
         ImGui::EndMenu();
     }
     ImGui::Separator();
-    action_items(session, "Lesson", Action::Group::lesson);
-    session.requests.ask_open = ImGui::MenuItem("Open a lesson file...", "Ctrl+O") || session.requests.ask_open;
+    action_items(session, title, Action::Group::lesson);
+    const Label open = session.label("menu.open_lesson");
+    session.requests.ask_open = ImGui::MenuItem(open.id().c_str(), "Ctrl+O") || session.requests.ask_open;
     ImGui::EndMenu();
 }
 
 void language_menu(Session &session) {
-    if (!begin_menu(session, "Language")) {
+    const Label title = session.label("menu.language");
+    if (!begin_menu(session, title)) {
         return;
     }
     for (const std::string_view language : languages) {
-        const ScopedName menu(session, "Language");
+        const ScopedName menu(session, title.name);
         const Label name = session.label(fmt::format("language.{}", language));
         if (ImGui::MenuItem(name.id().c_str(), nullptr, language == session.words.language())) {
             session.requests.language = language;
         }
-        describe_item(session, name.name, "");
+        describe_item(session, name.name, "", name.shown);
     }
     ImGui::EndMenu();
 }
 
 /// Of the buttons on the right.
-float right_width() { return button_width("Capture") + button_width("?") + ImGui::GetStyle().ItemSpacing.x * 2; }
+float right_width(const Session &session) {
+    return button_width(session.text("menu.capture")) + button_width("?") + ImGui::GetStyle().ItemSpacing.x * 2;
+}
 
-/// Their last words alone where there is little room: "truth" of "with the truth".
+/// Briefly where there is little room.
 void layout_buttons(Session &session) {
     constexpr float gap = 2; // pixels
-    float width = right_width();
+    float width = right_width(session);
     for (const Action &action : actions()) {
-        width += action.group == Action::Group::layout ? button_width(action.name) + gap : 0;
+        width += action.group == Action::Group::layout ? button_width(label_of(session, action).shown) + gap : 0;
     }
     const bool brief = ImGui::GetCursorPosX() + width > ImGui::GetWindowWidth();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, 0});
     for (const Action &action : actions()) {
-        const std::size_t word = brief ? action.name.rfind(' ') + 1 : 0; // 0 without a space
-        if (action.group == Action::Group::layout &&
-            toggle_button(session, {action.name.substr(word), action.name}, action.is_on(session),
-                          fmt::format("{} ({}).", action.help, action.shown))) {
+        if (action.group != Action::Group::layout) {
+            continue;
+        }
+        const Label whole = label_of(session, action);
+        const Label shown{brief ? action.brief(session.words) : whole.shown, whole.name};
+        if (toggle_button(session, shown, action.is_on(session),
+                          session.text("hint.key", help_of(session, action), action.shown))) {
             action.run(session);
         }
     }
@@ -134,12 +144,11 @@ void layout_buttons(Session &session) {
 }
 
 void right_buttons(Session &session) {
-    ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowWidth() - right_width()));
-    if (button(session, "Capture",
-               "Writes the views, without the panels, as a PNG, and beside it a file that reproduces them (F12).")) {
+    ImGui::SetCursorPosX(std::max(ImGui::GetCursorPosX(), ImGui::GetWindowWidth() - right_width(session)));
+    if (button(session, session.label("menu.capture"), session.text("menu.capture.help"))) {
         session.requests.capture = true;
     }
-    if (button(session, "?", "Keys and mouse (F1).")) {
+    if (button(session, "?", session.text("menu.keys.help"))) {
         session.appearance.key_list = !session.appearance.key_list;
     }
 }
@@ -152,8 +161,8 @@ void menu_bar(Session &session) {
     }
     scene_menu(session);
     lesson_menu(session);
-    action_menu(session, "Edit", Action::Group::edit);
-    action_menu(session, "Window", Action::Group::window);
+    action_menu(session, session.label("menu.edit"), Action::Group::edit);
+    action_menu(session, session.label("menu.window"), Action::Group::window);
     language_menu(session);
     ImGui::Spacing();
     layout_buttons(session);

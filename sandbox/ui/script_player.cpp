@@ -5,6 +5,7 @@
 #include "image/picture_size.h"
 #include "render/gl_state.h"
 #include "ui/actions.h"
+#include "ui/text_faults.h"
 
 #include <GLFW/glfw3.h>
 #include <algorithm>
@@ -41,6 +42,7 @@ constexpr ScriptAction rows[] = {
     {"play", "MOMENTS", "a motion that plays goes on by so many moments, and by none without this", 1, 1,
      &Player::play_moments},
     {"expect", "WIDGET TEXT", "nothing is pending and its text holds TEXT, or exit 1", 2, 2, &Player::expect},
+    {"texts", "", "no text is cut off by its window or lies over another, or exit 1", 0, 0, &Player::texts},
     {"shot", "FILE.png", "the window, when nothing is pending", 1, 1, &Player::shot},
     {"list", "[START]", "prints the names of the widgets, and what they show", 0, 1, &Player::list},
     {"longest", "", "prints the CPU time of the window's longest frame since the last such line", 0, 0,
@@ -328,6 +330,13 @@ void ScriptPlayer::expect(Words words) {
     const std::string text = widget(words[0]).text;
     if (text.find(words[1]) == std::string::npos) {
         throw ExpectationFailed(fmt::format("expected '{}' to show '{}', it shows '{}'", words[0], words[1], text));
+    }
+}
+
+void ScriptPlayer::texts(Words /*words*/) {
+    finish();
+    if (const std::vector<std::string> faults = text_faults(); !faults.empty()) {
+        throw ExpectationFailed(fmt::format("{}", fmt::join(faults, "; ")));
     }
 }
 

@@ -41,6 +41,7 @@ class ScriptPlayer {
     void wait(Words words);
     void play_moments(Words words);
     void expect(Words words);
+    void texts(Words words);
     void shot(Words words);
     void list(Words words);
     void longest(Words words);

@@ -3,6 +3,7 @@
 #include "capture/sidecar.h"
 #include "image/error.h"
 #include "image/image_file.h"
+#include "image/system_font.h"
 #include "render/context.h"
 #include "scene/scene_file.h"
 #include "teach/lesson_read.h"
@@ -46,9 +47,6 @@ Window::Window(const WindowOptions &options, Host &host)
     session_.appearance.panels = settings_.panels;
     session_.appearance.scale = static_cast<float>(settings_.scale);
     session_.appearance.sizes = settings_.panel_sizes;
-    speak(!options.language.empty()            ? options.language
-          : !options.settings.language.empty() ? options.settings.language
-                                               : system_language());
     session_.scenes = builtin_scenes(assets_);
     session_.textures = assets_.list("textures/");
     for (std::string &texture : session_.textures) {
@@ -56,6 +54,11 @@ Window::Window(const WindowOptions &options, Host &host)
     }
     session_.progress = settings_.lessons;
     attempt(session_, "", [&] { load(options.file.scene, options.message); });
+    attempt(session_, "", [&] {
+        speak(!options.language.empty()            ? options.language
+              : !options.settings.language.empty() ? options.settings.language
+                                                   : system_language());
+    });
     if (!options.lesson.empty()) {
         open_lesson(options.lesson, 0);
     }
@@ -151,7 +154,8 @@ void Window::draw() {
     }
     host_.set_full_screen(session_.appearance.full_screen);
     session_.widgets.begin_frame();
-    gui_.begin_frame(session_.appearance, session_.document.step != nullptr);
+    use_shown_characters();
+    gui_.begin_frame(session_.appearance, session_.document.step != nullptr, session_.chinese);
     finder_.update(session_, painter_);
     draw_frame(session_, painter_, bottom_);
     dialog_.draw(session_, settings_.recent);
@@ -182,8 +186,8 @@ void Window::answer_requests() {
         save(*requests.save);
     }
     if (requests.language) {
+        settings_.language = *requests.language;
         attempt(session_, "", [&] { speak(*requests.language); });
-        settings_.language = session_.words.language();
     }
     if (requests.ask_open) {
         dialog_.show(FileDialog::Purpose::open, "");
@@ -220,7 +224,7 @@ void Window::take_dropped(const std::string &path) {
 
 /// On the object that the Material panel shows, as one step that can be undone.
 void Window::put_texture(const std::filesystem::path &image) {
-    attempt(session_, "No texture: ", [&] {
+    attempt(session_, session_.text("message.no_texture"), [&] {
         Document document = session_.document;
         if (session_.object >= document.scene.objects.size()) {
             throw InputError("the scene has no object to put {} on", image.filename().string());
@@ -230,7 +234,7 @@ void Window::put_texture(const std::filesystem::path &image) {
         object.material.checker.reset();
         painter_.renderer().resources().load(document.scene); // throws for what cannot be read
         show_document(session_, document);
-        session_.message = {fmt::format("{} is the texture of {}.", image.filename().string(), object.name), false};
+        session_.message = {session_.text("message.texture", image.filename().string(), object.name), false};
     });
 }
 
@@ -272,9 +276,47 @@ void Window::open(const std::string &name_or_path) {
     });
 }
 
-/// Lessons, too, are read in this language.
+/// English, with a hint, where no font has the language's characters.
 void Window::speak(const std::string &language) {
-    session_.words = words_in(language, assets_);
+    const Words words = words_in(language, assets_);
+    std::set<char32_t> before = session_.chinese;
+    for (const auto &[key, text] : words.all()) {
+        use_characters(session_, text);
+    }
+    if (session_.chinese != before && !chinese_font()) {
+        session_.chinese = std::move(before);
+        session_.words = words.english();
+        read_lessons();
+        throw InputError("{}", words.english().text("message.no_font"));
+    }
+    session_.words = words;
+    read_lessons();
+}
+
+/// Of names and texts from files and people.
+void Window::use_shown_characters() {
+    if (!chinese_font()) {
+        return;
+    }
+    const Document &document = session_.document;
+    for (const std::string &text : {document.opened->name, document.scene.name, document.scene.description,
+                                    session_.message.text, dialog_.path()}) {
+        use_characters(session_, text);
+    }
+    for (const Object &object : document.scene.objects) {
+        use_characters(session_, object.name);
+        use_characters(session_, object.material.texture);
+    }
+    for (const View &view : document.scene.views) {
+        use_characters(session_, view.name);
+    }
+    for (const std::string &file : settings_.recent) {
+        use_characters(session_, file);
+    }
+}
+
+/// In the window's language.
+void Window::read_lessons() {
     session_.lessons.clear();
     attempt(session_, "", [&] {
         for (const auto read : {builtin_lessons, builtin_bugs}) {
@@ -291,7 +333,7 @@ void Window::speak(const std::string &language) {
 
 /// Throws InputError, and then nothing changes.
 void Window::take_opened(const OpenedFile &file) {
-    load(file.scene, "Opened " + file.name + ".");
+    load(file.scene, session_.text("message.opened", file.name));
     show_document(session_, document_from(file, session_));
     show_view(file);
 }
@@ -304,14 +346,14 @@ void Window::show_view(const OpenedFile &file) {
 }
 
 void Window::save(const std::string &path) {
-    attempt(session_, "Not saved: ", [&] {
+    attempt(session_, session_.text("message.not_saved"), [&] {
         std::filesystem::path file = std::filesystem::absolute(path);
         if (!file.has_extension()) {
             file += ".json";
         }
         write_file(file, scene_text(session_.document.scene));
         add_recent(settings_, file);
-        session_.message = {"Saved to " + file.string(), false};
+        session_.message = {session_.text("message.saved", file.string()), false};
     });
 }
 
@@ -319,7 +361,7 @@ void Window::use_clipboard(const Requests &requests) {
     attempt(session_, "", [&] {
         if (requests.copy_scene) {
             ImGui::SetClipboardText(scene_text(session_.document.scene).c_str());
-            session_.message = {"The scene is on the clipboard, as JSON.", false};
+            session_.message = {session_.text("message.copied_scene"), false};
         } else if (requests.paste_scene) {
             const char *text = ImGui::GetClipboardText();
             take_opened(open_text(text != nullptr ? text : ""));
@@ -341,7 +383,7 @@ void Window::keep_settings() {
         const auto scale = static_cast<double>(host_.content_scale());
         settings_.window = {static_cast<int>(size.width / scale), static_cast<int>(size.height / scale)};
     }
-    attempt(session_, "The settings cannot be kept: ", [&] { write_settings(settings_file_, settings_); });
+    attempt(session_, session_.text("message.settings_not_kept"), [&] { write_settings(settings_file_, settings_); });
 }
 
 Window::~Window() { keep_settings(); }
@@ -359,12 +401,12 @@ void Window::load(const Scene &scene, const std::string &message) {
 }
 
 void Window::capture() {
-    attempt(session_, "Not captured: ", [&] {
+    attempt(session_, session_.text("message.not_captured"), [&] {
         const Size each = painter_.view(false).size;
         captures_.add({session_.document.opened->name, scene_in_view(shown_document(session_), each),
                        picture_options(session_, each)});
         if (captures_.waiting() > 0) {
-            session_.message = {fmt::format("Captures that wait to be written: {}.", captures_.waiting()), false};
+            session_.message = {session_.text("message.waiting", captures_.waiting()), false};
         }
     });
 }
@@ -373,14 +415,14 @@ void Window::end_capture(const CaptureQueue::Outcome &outcome) {
     if (outcome.failure.empty()) {
         say_captured(outcome.path);
     } else {
-        session_.message = {"Not captured: " + outcome.failure, true};
+        session_.message = {session_.text("message.not_captured") + outcome.failure, true};
     }
     frames_left_ = settling_frames;
 }
 
 /// The frame that has just been drawn.
 void Window::capture_window(Size size) {
-    attempt(session_, "Not captured: ", [&] {
+    attempt(session_, session_.text("message.not_captured"), [&] {
         const auto path =
             std::filesystem::absolute(free_name(capture_folder(), session_.document.opened->name + "-window"));
         write_file(path, encode_png(read_window_surface(host_.framebuffer(), size)));
@@ -390,10 +432,10 @@ void Window::capture_window(Size size) {
 }
 
 void Window::say_captured(const std::string &path) {
-    session_.message = {"Captured to " + path, false};
+    session_.message = {session_.text("message.captured", path), false};
     ImGui::SetClipboardText(path.c_str());
-    notice_.say(std::filesystem::path(path).filename().string() + " is written; its path is on the clipboard." +
-                    (session_.appearance.panels ? "" : " Tab shows the panels."),
+    const std::string file = std::filesystem::path(path).filename().string();
+    notice_.say(session_.text(session_.appearance.panels ? "notice.captured" : "notice.captured_bare", file),
                 host_.seconds());
 }
 

@@ -75,6 +75,8 @@ class Window {
     void end_capture(const CaptureQueue::Outcome &outcome);
     void save(const std::string &path);
     void speak(const std::string &language);
+    void use_shown_characters();
+    void read_lessons();
     void take_opened(const OpenedFile &file);
     void show_view(const OpenedFile &file);
     void use_clipboard(const Requests &requests);

@@ -79,6 +79,10 @@ std::string title_of(const Words &words, const Technique &technique) {
     return text;
 }
 
+std::string name_of(const Words &words, const TechniqueKey &key, int value) {
+    return row_text(words, value_key(key, value), key.values[static_cast<std::size_t>(value)].name);
+}
+
 std::string look_for(const Words &words, const TechniqueKey &key, int value) {
     return row_text(words, value_key(key, value) + ".look_for", key.values[static_cast<std::size_t>(value)].look_for);
 }

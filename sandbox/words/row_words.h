@@ -40,6 +40,8 @@ std::string help_of(const Words &words, const OverlayKind &kind);
 std::string title_of(const Words &words, const TechniqueKey &key);
 std::string title_of(const Words &words, const TechniqueKey &key, int value);
 std::string title_of(const Words &words, const Technique &technique);
+/// As commands write a value, or its title in another language: "per-vertex".
+std::string name_of(const Words &words, const TechniqueKey &key, int value);
 std::string look_for(const Words &words, const TechniqueKey &key, int value);
 
 /// Every such key with its English text.

@@ -2,6 +2,7 @@
 
 #include "image/error.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -36,6 +37,13 @@ const std::string &Words::text(std::string_view key) const {
         return english_->text(key);
     }
     throw InputError("{} has no text \"{}\"", file_, key);
+}
+
+std::string checked_language(const std::string &text) {
+    if (std::ranges::find(languages, text) == languages.end()) {
+        throw InputError("expected {}, got '{}'", fmt::join(languages, " or "), text);
+    }
+    return text;
 }
 
 Words words_in(std::string_view language, const Assets &assets) {

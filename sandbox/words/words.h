@@ -48,6 +48,9 @@ class Words {
     std::shared_ptr<const Words> english_; ///< null: these are English
 };
 
+/// The language itself. Throws InputError naming those there are.
+std::string checked_language(const std::string &text);
+
 /// The texts in `language`: those of `assets`, or the copies inside the executable where it has none. Throws
 /// InputError.
 Words words_in(std::string_view language, const Assets &assets = Assets("assets"));

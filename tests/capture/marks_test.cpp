@@ -2,6 +2,7 @@
 
 #include "capture/picture.h"
 #include "image/cut_paste.h"
+#include "tools/english.h"
 #include "tools/pixel.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +31,7 @@ TEST(CutPaste, WhatIsCutOutAndPutBackChangesNothing) {
 
 TEST(Marks, ARingIsSeenOnDarkAndOnBright) {
     ByteImage view = grey({400, 200});
-    draw_marks(view, {.pixel = {}, .profile = {}, .ring = glm::dvec3(0.5, 0.5, 0.25)}, {}, 10);
+    draw_marks(view, english, {.pixel = {}, .profile = {}, .ring = glm::dvec3(0.5, 0.5, 0.25)}, {}, 10);
     // Its middle line lies 50 pixels around (200, 100); white is 2 wide, black 2 more on each side.
     for (const auto &[x, y] : {std::pair(249, 100), std::pair(150, 100), std::pair(200, 50), std::pair(200, 149)}) {
         EXPECT_EQ(pixel(view, x, y), (std::array<int, 3>{255, 255, 255})) << x << "," << y;
@@ -69,7 +70,7 @@ TEST(Marks, ArrowsLieWhereTheirVectorsPoint) {
 
 TEST(Marks, AProfileIsALineAcross) {
     ByteImage view = grey({50, 40});
-    draw_marks(view, {.pixel = {}, .profile = 0.5125}, {}, 10); // the middle of row 20
+    draw_marks(view, english, {.pixel = {}, .profile = 0.5125}, {}, 10); // the middle of row 20
     for (const int x : {0, 25, 49}) {
         EXPECT_EQ(pixel(view, x, 20), (std::array<int, 3>{255, 255, 255}));
         EXPECT_EQ(pixel(view, x, 17), untouched);
@@ -80,7 +81,7 @@ TEST(Marks, AProfileIsALineAcross) {
 TEST(Marks, TheLoupesMiddleIsThePixel) {
     ByteImage view = grey({300, 300});
     view.rgb[3 * (200 * 300 + 60)] = 255;
-    draw_marks(view, {.pixel = glm::dvec2(60.5 / 300, 200.5 / 300), .loupe = true, .profile = {}}, {}, 10);
+    draw_marks(view, english, {.pixel = glm::dvec2(60.5 / 300, 200.5 / 300), .loupe = true, .profile = {}}, {}, 10);
     EXPECT_EQ(pixel(view, 60, 200), (std::array<int, 3>{255, 100, 100})) << "the picture below stays";
     // 120 pixels (12 texts of 10) in the upper right corner, 6 from its edges; a cell has 120 / 21.
     const int x = 300 - 6 - 60, y = 6 + 60;
@@ -137,9 +138,10 @@ TEST(Marks, LightsLieOverEveryView) {
         EXPECT_EQ(pixel(marked, x, 150), pixel(plain, x, 150));
     }
     scene.lights[1].position = {};
-    EXPECT_EQ(light_marks(scene, 1)[1].name, "light 2");
+    EXPECT_TRUE(light_marks(scene, 1)[1].named);
+    EXPECT_EQ(english.format("light.numbered", 2), "light 2");
     scene.lights[0].enabled = false;
-    EXPECT_EQ(light_marks(scene, 1)[0].name, "") << "no other is on";
+    EXPECT_FALSE(light_marks(scene, 1)[0].named) << "no other is on";
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "capture/picture.h"
 #include "image/cut_paste.h"
+#include "tools/english.h"
 #include "tools/pixel.h"
 
 #include <gtest/gtest.h>
@@ -16,21 +17,21 @@ TEST(Masks, TheLegendNamesEveryMaskWithItsColour) {
     metrics.compared_share = 0.875;
     metrics.edge_pixels = 12;
     metrics.edge_max_abs = 0.25;
-    const auto legend = mask_legend(metrics);
+    const auto legend = mask_legend(english, metrics);
     ASSERT_EQ(legend.size(), 1 + std::size(masks));
     EXPECT_EQ(legend[0].text, "against its reference: 87.5 % compared");
     EXPECT_FALSE(legend[0].color);
     EXPECT_EQ(legend[1].text, "silhouette: none");
     EXPECT_EQ(legend[2].text, "edge: 12 pixels, error up to 0.25");
     EXPECT_EQ(legend[2].color, masks[1].color);
-    EXPECT_EQ(mask_legend(Metrics{})[0].text, "against its reference: nothing is shown");
+    EXPECT_EQ(mask_legend(english, Metrics{})[0].text, "against its reference: nothing is shown");
 }
 
 /// It stays within its columns, in the lower corner that is asked for, and is left out where it could not be read.
 TEST(Masks, TheLegendStaysInItsCorner) {
     for (const bool right : {false, true}) {
         ByteImage picture = black_picture({640, 200});
-        draw_mask_legend(picture, Metrics{}, 200, 500, 180, 12, right);
+        draw_mask_legend(picture, english, Metrics{}, 200, 500, 180, 12, right);
         const Rgb black{0, 0, 0};
         EXPECT_NE(pixel(picture, right ? 499 : 200, 179), black);
         EXPECT_EQ(pixel(picture, right ? 200 : 499, 179), black);
@@ -39,7 +40,7 @@ TEST(Masks, TheLegendStaysInItsCorner) {
         EXPECT_EQ(pixel(picture, right ? 499 : 200, 180), black);
     }
     ByteImage small = black_picture({40, 30});
-    draw_mask_legend(small, Metrics{}, 0, 40, 30, 12, false);
+    draw_mask_legend(small, english, Metrics{}, 0, 40, 30, 12, false);
     EXPECT_EQ(small.rgb, black_picture({40, 30}).rgb);
 }
 

@@ -1,5 +1,6 @@
 #include "capture/picture.h"
 
+#include "tools/english.h"
 #include "tools/pixel.h"
 
 #include <algorithm>
@@ -98,6 +99,8 @@ TEST(Picture, ATextbooksLeftViewIsDrawnByIt) {
     EXPECT_EQ(pixel(picture, 1, 0), (Rgb{255, 255, 255}));
     EXPECT_EQ(pixel(picture, 2, 0), right_color);
     EXPECT_EQ(textbook_name(options.left), "textbook float32/phong");
+    EXPECT_EQ(mesh_factor_note(english, 1), "");
+    EXPECT_EQ(mesh_factor_note(english, 0.5), ", mesh x 1/2");
 }
 
 TEST(Picture, AWipeHasADividerAndItsDataHasNone) {

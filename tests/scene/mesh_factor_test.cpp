@@ -49,8 +49,6 @@ TEST(MeshFactor, TextsRoundTrip) {
         EXPECT_EQ(parse_mesh_factor(text), factor);
     }
     EXPECT_EQ(parse_mesh_factor("0.25"), 0.25);
-    EXPECT_EQ(mesh_factor_note(1), "");
-    EXPECT_EQ(mesh_factor_note(0.5), ", mesh x 1/2");
     for (const char *wrong : {"", "a", "1/", "/2", "1/0", "0/0", "0", "-1", "65", "1/65", "1/4x", "nan"}) {
         EXPECT_THROW(parse_mesh_factor(wrong), InputError) << wrong;
     }

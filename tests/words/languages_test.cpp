@@ -1,3 +1,5 @@
+#include "measure/report/text.h"
+#include "scene/scene_file.h"
 #include "words/row_words.h"
 #include "words/words.h"
 
@@ -19,11 +21,22 @@ std::set<std::string> values_of(const std::string &text) {
     return values;
 }
 
+/// Of the rows of all tables.
+std::map<std::string, std::string> all_row_texts() {
+    std::map<std::string, std::string> texts = row_texts();
+    texts.merge(measured_row_texts());
+    const Assets assets("assets");
+    for (const std::string &scene : builtin_scenes(assets)) {
+        texts.emplace("builtin." + scene, open_scene(scene, assets).description);
+    }
+    return texts;
+}
+
 /// Lessons are translated one after another: what one lacks is shown in English.
 bool is_of_a_lesson(const std::string &key) { return key.starts_with("lesson.") || key.starts_with("bug."); }
 
 TEST(Languages, HaveTheSameKeysAndValues) {
-    const std::map<std::string, std::string> rows = row_texts();
+    const std::map<std::string, std::string> rows = all_row_texts();
     for (const std::string_view language : languages) {
         const Words words = words_in(language);
         for (const auto &[key, text] : words.english().all()) {
@@ -46,7 +59,7 @@ TEST(Languages, HaveTheSameKeysAndValues) {
 /// In English a row's text stands in the row itself, and nowhere else.
 TEST(Languages, SayEveryRow) {
     const Words english = words_in("en"), chinese = words_in("zh");
-    for (const auto &[key, text] : row_texts()) {
+    for (const auto &[key, text] : all_row_texts()) {
         EXPECT_EQ(english.find(key), nullptr) << key;
         EXPECT_NE(chinese.find(key), nullptr) << "zh lacks " << key << ": " << text;
     }

@@ -11,11 +11,11 @@
 namespace sandbox::html {
 namespace {
 
-std::string tip(const WorkPrecision &m, std::size_t i) {
+std::string tip(const Words &words, const WorkPrecision &m, std::size_t i) {
     const MeasuredRow &row = m.rows[i];
     const Norms &error = row.errors->total.norms;
     return fmt::format("{}, {}: {}RMSE {}, largest {}", to_string(row.plan.technique),
-                       mesh_words(m.meshes[row.plan.mesh]),
+                       mesh_words(words, m.meshes[row.plan.mesh]),
                        row.time ? milliseconds_text(row.time->median) + " ms, " : "", short_number(error.rmse),
                        short_number(error.max_abs));
 }
@@ -55,10 +55,10 @@ std::string ladder_plots(const ReportRun &run) {
     const WorkPrecision &m = run.measured;
     std::string body;
     for (const Model model : richest_first(m)) {
-        body +=
-            fmt::format("<div>{}</div>\n", plot_svg(ladder_plot(m, model), [&](std::size_t i) { return tip(m, i); }));
+        body += fmt::format("<div>{}</div>\n",
+                            plot_svg(ladder_plot(m, model), [&](std::size_t i) { return tip(run.words, m, i); }));
     }
-    return legend_html(series_names(), false) + "<div class=\"plots three\">" + body + "</div>\n";
+    return legend_html(series_names(run.words), false) + "<div class=\"plots three\">" + body + "</div>\n";
 }
 
 std::string pictures(const ReportRun &run) {
@@ -75,18 +75,20 @@ std::string error_against_time(const ReportRun &run) {
     std::string body;
     for (const Model model : richest_first(m)) {
         for (const ErrorNorm norm : {ErrorNorm::rmse, ErrorNorm::max}) {
-            const PlotRequest plot = error_time_plot(m, model, norm);
+            const PlotRequest plot = error_time_plot(run.words, m, model, norm);
             const bool any =
                 std::ranges::any_of(plot.series, [](const auto &series) { return !series.points.empty(); });
-            body += any ? fmt::format("<div>{}</div>\n", plot_svg(plot, [&](std::size_t i) { return tip(m, i); })) : "";
+            body += any ? fmt::format("<div>{}</div>\n",
+                                      plot_svg(plot, [&](std::size_t i) { return tip(run.words, m, i); }))
+                        : "";
         }
     }
-    return section("against", "Error against run time",
-                   "Down is closer to the truth, left is faster. A line follows one technique from coarse to fine "
-                   "meshes; its whiskers span the middle half of the times. Each model is judged against its own "
-                   "truth. Dashed: what a display of 8 or 10 bits resolves.",
-                   body.empty() ? body
-                                : legend_html(series_names(), true) + "<div class=\"plots\">" + body + "</div>\n");
+    return section(
+        "against", "Error against run time",
+        "Down is closer to the truth, left is faster. A line follows one technique from coarse to fine "
+        "meshes; its whiskers span the middle half of the times. Each model is judged against its own "
+        "truth. Dashed: what a display of 8 or 10 bits resolves.",
+        body.empty() ? body : legend_html(series_names(run.words), true) + "<div class=\"plots\">" + body + "</div>\n");
 }
 
 std::string error_split(const ReportRun &run) {
@@ -106,9 +108,10 @@ std::string error_split(const ReportRun &run) {
                 shares.parts.push_back(part.rmse(row.errors->split));
                 parts.push_back(fmt::format("{} {}", part.name, short_number(shares.parts.back())));
             }
-            bars.push_back({fmt::format("{}, {}", name_of(frequency), short_mesh_words(m.meshes[row.plan.mesh])),
-                            "RMSE " + short_number(row.errors->total.norms.rmse),
-                            fmt::format("{}", fmt::join(parts, ", ")), shares, first && !bars.empty()});
+            bars.push_back(
+                {fmt::format("{}, {}", name_of(frequency), short_mesh_words(run.words, m.meshes[row.plan.mesh])),
+                 "RMSE " + short_number(row.errors->total.norms.rmse), fmt::format("{}", fmt::join(parts, ", ")),
+                 shares, first && !bars.empty()});
             first = false;
         }
     }

@@ -61,7 +61,7 @@ ReportRun new_report_run(std::string renderer, std::string opengl, std::string c
     return run;
 }
 
-std::vector<ReportPicture> report_pictures(const WorkPrecision &measured, const DrawRows &draw) {
+std::vector<ReportPicture> report_pictures(const Words &words, const WorkPrecision &measured, const DrawRows &draw) {
     const Model model = models_of(measured).back();
     const MeasuredRow *best = nullptr;
     const MeasuredRow *worst = nullptr;
@@ -83,7 +83,7 @@ std::vector<ReportPicture> report_pictures(const WorkPrecision &measured, const 
     for (const auto &[title, row] : {std::pair("Closest to it", best), std::pair("Farthest from it", worst)}) {
         if (row != nullptr) {
             const PlannedMesh &mesh = measured.meshes[row->plan.mesh];
-            pictures.push_back({title, fmt::format("{}, {}:", to_string(row->plan.technique), mesh_words(mesh)),
+            pictures.push_back({title, fmt::format("{}, {}:", to_string(row->plan.technique), mesh_words(words, mesh)),
                                 to_display(draw.picture(mesh.scene, row->plan.technique).color),
                                 "RMSE " + short_number(row->errors->total.norms.rmse)});
         }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "measure/work_precision/run.h"
+#include "words/words.h"
 
 #include <string>
 #include <vector>
@@ -33,13 +34,14 @@ struct ReportRun {
     std::string version; ///< of the program
     std::string date;    ///< UTC, "2031-05-01 12:00"
     bool quick = false;
-    std::vector<ReportPicture> pictures; ///< HTML only
+    std::vector<ReportPicture> pictures;       ///< HTML only
+    Words words = words_in(languages.front()); ///< of the page
 };
 
 /// A run that begins now, on this machine, by this version; nothing is measured yet.
 ReportRun new_report_run(std::string renderer, std::string opengl, std::string clock);
 
 /// The truth, and the base rows of least and largest RMSE of the last model that was measured, drawn once more.
-std::vector<ReportPicture> report_pictures(const WorkPrecision &measured, const DrawRows &draw);
+std::vector<ReportPicture> report_pictures(const Words &words, const WorkPrecision &measured, const DrawRows &draw);
 
 } // namespace sandbox

@@ -10,7 +10,7 @@
 namespace sandbox::html {
 namespace {
 
-std::string cheapest_card(const WorkPrecision &m) {
+std::string cheapest_card(const Words &words, const WorkPrecision &m) {
     const Model model = models_of(m).back();
     const auto row = cheapest(m, model, ErrorNorm::rmse, error_bounds[0]);
     const std::string top = fmt::format("Cheapest within one 8-bit level, {}", name_of(model));
@@ -19,7 +19,7 @@ std::string cheapest_card(const WorkPrecision &m) {
     }
     const MeasuredRow &found = m.rows[*row];
     return card(top, escaped(to_string(found.plan.technique)),
-                fmt::format("{}, {} ms, RMSE {}", escaped(mesh_words(m.meshes[found.plan.mesh])),
+                fmt::format("{}, {} ms, RMSE {}", escaped(mesh_words(words, m.meshes[found.plan.mesh])),
                             milliseconds_text(found.time->median), short_number(found.errors->total.norms.rmse)),
                 true);
 }
@@ -139,8 +139,8 @@ std::string item(std::string_view term, std::string_view text) {
 std::string summary(const ReportRun &run) {
     const WorkPrecision &m = run.measured;
     return m.rows.empty() ? ""
-                          : fmt::format("<div class=\"cards\">{}{}{}{}{}</div>\n", cheapest_card(m), saving_card(m),
-                                        truth_card(m), failures_card(m), marked_card(m));
+                          : fmt::format("<div class=\"cards\">{}{}{}{}{}</div>\n", cheapest_card(run.words, m),
+                                        saving_card(m), truth_card(m), failures_card(m), marked_card(m));
 }
 
 std::string all_rows(const ReportRun &run) {

@@ -3,6 +3,7 @@
 #include "measure/report/csv.h"
 #include "measure/report/html.h"
 #include "measure/report/text.h"
+#include "words/row_words.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -23,7 +24,7 @@ ordered_json row_json(const StabilityRow &row) {
     return json;
 }
 
-ordered_json result_json(const StabilityResult &result) {
+ordered_json result_json(const Words &english, const StabilityResult &result) {
     const StabilityCase &judged = result.definition;
     const auto cost = result.cost_ratio();
     ordered_json rows = ordered_json::array();
@@ -40,7 +41,7 @@ ordered_json result_json(const StabilityResult &result) {
             {"unit", name_of(judged.unit)},
             {"passed", result.passed()},
             {"cost", cost ? ordered_json(*cost) : ordered_json()},
-            {"textbook_form", textbook_words(judged)},
+            {"textbook_form", textbook_words(english, judged)},
             {"textbook_breaks", result.textbook_breaks()},
             {"textbook", row_json(result.textbook)},
             {"robust", rows}};
@@ -66,34 +67,36 @@ void add_csv_row(CsvTable &table, const StabilityResult &result, const Stability
     }
 }
 
-std::string form_figure(const char *form, const StabilityRow &row, const ByteImage &image) {
-    return html::figure(form, row.metrics.nonfinite_pixels > 0 ? "" : "error", error_words(row), image);
+std::string form_figure(const Words &words, const char *form, const StabilityRow &row, const ByteImage &image) {
+    return html::figure(form, row.metrics.nonfinite_pixels > 0 ? "" : "error", error_words(words, row), image);
 }
 
-std::string case_html(const StabilityResult &result) {
+std::string case_html(const Words &words, const StabilityResult &result) {
     const StabilityCase &judged = result.definition;
     const auto [style, verdict] =
         result.passed() ? std::pair("kept", "within its bound") : std::pair("broken", "bound broken");
     std::string story;
-    for (const auto &[term, text] : {std::pair("Here", result.textbook_breaks() ? "" : seen_on_words(judged)),
-                                     std::pair("Symptom", judged.symptom), std::pair("Cause", judged.cause),
-                                     std::pair("Met in", judged.source), std::pair("Textbook", textbook_words(judged)),
-                                     std::pair("Bound", bound_words(judged)), std::pair("Cost", cost_words(result))}) {
+    for (const auto &[term, text] :
+         {std::pair("Here", result.textbook_breaks() ? "" : seen_on_words(words, judged)),
+          std::pair("Symptom", judged.symptom), std::pair("Cause", judged.cause), std::pair("Met in", judged.source),
+          std::pair("Textbook", textbook_words(words, judged)), std::pair("Bound", bound_words(words, judged)),
+          std::pair("Cost", cost_words(words, result))}) {
         story += text.empty() ? "" : fmt::format("<dt>{}</dt><dd>{}</dd>", term, html::escaped(text));
     }
     std::string warnings;
     for (const StabilityRow &row : result.rows) {
         if (!row.passed) {
             warnings += fmt::format("<p class=\"warning\">{}: {}; {} pixels compared, {} show another object</p>",
-                                    html::technique_code(row.technique), error_words(row), row.metrics.compared_pixels,
-                                    row.metrics.silhouette_pixels);
+                                    html::technique_code(row.technique), error_words(words, row),
+                                    row.metrics.compared_pixels, row.metrics.silhouette_pixels);
         }
     }
     return fmt::format(
         "<article class=\"case\" id=\"{0}\"><h3>{0}<span class=\"badge {1}\">{2}</span></h3>\n"
         "<div class=\"body\"><div class=\"three\">{3}{4}{5}</div><div><dl>{6}</dl>\n{7}</div></div></article>\n",
-        html::escaped(judged.name), style, verdict, form_figure("Textbook", result.textbook, result.textbook_image),
-        form_figure("Robust", result.rows.front(), result.robust_image),
+        html::escaped(judged.name), style, verdict,
+        form_figure(words, "Textbook", result.textbook, result.textbook_image),
+        form_figure(words, "Robust", result.rows.front(), result.robust_image),
         html::figure("Reference", "in double", "", result.reference_image), story, warnings);
 }
 
@@ -110,7 +113,9 @@ Results list_of(const StabilityRun &run, bool breaks) {
     return list;
 }
 
-std::string title_of(const char *title, const Results &list) { return fmt::format("{}: {}", title, list.size()); }
+std::string title_of(const Words &words, std::string_view title, const Results &list) {
+    return words.format("stability.list", words.text(title), list.size());
+}
 
 std::string table_html(const Results &list) {
     html::Table table({"case", "textbook's error", "not finite", "robust error, worst", "of technique", "not finite",
@@ -139,11 +144,11 @@ std::string table_html(const Results &list) {
 }
 
 /// The cases of one group after the other.
-std::string group_sections(const Results &results) {
+std::string group_sections(const Words &words, const Results &results) {
     std::string sections, body;
     for (std::size_t i = 0; i < results.size(); ++i) {
         const std::string &group = results[i]->definition.group;
-        body += case_html(*results[i]);
+        body += case_html(words, *results[i]);
         if (i + 1 == results.size() || results[i + 1]->definition.group != group) {
             const std::string name = html::escaped(group);
             const auto first = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
@@ -155,12 +160,12 @@ std::string group_sections(const Results &results) {
 }
 
 /// A case's line of the terminal's table, and what there is to say of it.
-std::string table_lines(const StabilityResult &result, std::size_t width) {
+std::string table_lines(const Words &words, const StabilityResult &result, std::size_t width) {
     const auto cost = result.cost_ratio();
-    std::string out =
-        fmt::format("{:<{}}{:<16}{:<16}{:<10}{:<7}{}\n", result.definition.name, width, error_words(result.textbook),
-                    error_words(result.worst()), short_number(result.definition.bound), cost ? short_number(*cost) : "",
-                    result.passed() ? "ok" : "BROKEN");
+    std::string out = fmt::format("{:<{}}{:<16}{:<16}{:<10}{:<7}{}\n", result.definition.name, width,
+                                  error_words(words, result.textbook), error_words(words, result.worst()),
+                                  short_number(result.definition.bound), cost ? short_number(*cost) : "",
+                                  result.passed() ? "ok" : "BROKEN");
     if (!result.textbook_breaks() && !result.definition.seen_on.empty()) {
         out += fmt::format("    seen on: {}\n", result.definition.seen_on);
     }
@@ -168,8 +173,8 @@ std::string table_lines(const StabilityResult &result, std::size_t width) {
         if (!row.passed) {
             const Metrics &m = row.metrics;
             out += fmt::format("    {}: error {}, compared {}, silhouette {}, edge {}, jump {}, rounding {}\n",
-                               to_string(row.technique), error_words(row), m.compared_pixels, m.silhouette_pixels,
-                               m.edge_pixels, m.jump_pixels, m.rounding_pixels);
+                               to_string(row.technique), error_words(words, row), m.compared_pixels,
+                               m.silhouette_pixels, m.edge_pixels, m.jump_pixels, m.rounding_pixels);
         }
     }
     return out;
@@ -191,27 +196,28 @@ std::string stability_html(const StabilityRun &run) {
                               html::card("", of_all(breaks.size()), "break in the textbook's form on this renderer") +
                               html::card("", of_all(holds.size()), "in which nothing breaks on this renderer");
     const std::string tables =
-        html::section("table", title_of(breaks_title, breaks),
+        html::section("table", title_of(run.words, breaks_title, breaks),
                       "A case keeps its bound if every pixel is finite and the largest difference over the compared "
                       "pixels stays within it, for every technique of the case. Cost is run time over that of the same "
                       "program without guards and stable powers, taken in turns; 1 where the scene needs none.",
                       table_html(breaks)) +
-        html::section("table", title_of(holds_title, holds),
+        html::section("table", title_of(run.words, holds_title, holds),
                       "The textbook's form stays within the bound here. Each case says where its damage was seen.",
                       table_html(holds));
     std::string unbroken;
     for (const StabilityResult *result : holds) {
-        unbroken += case_html(*result);
+        unbroken += case_html(run.words, *result);
     }
-    return html::page("Stiff and extreme cases",
-                      header + "<div class=\"cards\">" + cards + "</div>\n" + tables + group_sections(breaks) +
-                          html::section("holds", holds_title, "The symptom is what was seen elsewhere.", unbroken));
+    return html::page(
+        "Stiff and extreme cases",
+        header + "<div class=\"cards\">" + cards + "</div>\n" + tables + group_sections(run.words, breaks) +
+            html::section("holds", run.words.text(holds_title), "The symptom is what was seen elsewhere.", unbroken));
 }
 
 std::string stability_json(const StabilityRun &run) {
     ordered_json cases = ordered_json::array();
     for (const StabilityResult &result : run.results) {
-        cases.push_back(result_json(result));
+        cases.push_back(result_json(run.words.english(), result));
     }
     const ordered_json all{{"format", "shading-sandbox stability 1"},
                            {"version", run.version},
@@ -243,40 +249,42 @@ std::string stability_table(const StabilityRun &run) {
         fmt::format("{:<{}}{:<16}{:<16}{:<10}{:<7}\n", "case", widest + 2, "textbook", "robust", "bound", "cost");
     for (const bool breaks : {true, false}) {
         const Results list = list_of(run, breaks);
-        out += list.empty() ? "" : title_of(breaks ? breaks_title : holds_title, list) + "\n";
+        out += list.empty() ? "" : title_of(run.words.english(), breaks ? breaks_title : holds_title, list) + "\n";
         for (const StabilityResult *result : list) {
-            out += table_lines(*result, widest + 2);
+            out += table_lines(run.words.english(), *result, widest + 2);
         }
     }
     return out;
 }
 
-std::string textbook_words(const StabilityCase &judged) {
-    return (judged.textbook
-                ? "the renderer's " + to_string(*judged.textbook)
-                : "float32 on the processor, " + std::string(frequency_key.value(judged.techniques.front()).title)) +
-           (judged.textbook_target == TextbookTarget::half ? ", kept in half floats" : "");
+std::string textbook_words(const Words &words, const StabilityCase &judged) {
+    const std::string form =
+        judged.textbook ? words.format("stability.renderers", to_string(*judged.textbook))
+                        : words.format("stability.processors",
+                                       title_of(words, frequency_key, frequency_key.get(judged.techniques.front())));
+    return judged.textbook_target == TextbookTarget::half ? words.format("stability.in_half", form) : form;
 }
 
-std::string seen_on_words(const StabilityCase &judged) {
-    return judged.seen_on.empty() ? "nothing breaks on this renderer"
-                                  : "nothing breaks on this renderer; seen on: " + judged.seen_on;
+std::string seen_on_words(const Words &words, const StabilityCase &judged) {
+    return judged.seen_on.empty() ? words.text("stability.unbroken")
+                                  : words.format("stability.seen_on", judged.seen_on);
 }
 
-std::string bound_words(const StabilityCase &judged) {
-    return short_number(judged.bound) + (judged.unit == ErrorUnit::linear_color ? "" : " of the brightest value");
+std::string bound_words(const Words &words, const StabilityCase &judged) {
+    const std::string bound = short_number(judged.bound);
+    return judged.unit == ErrorUnit::linear_color ? bound : words.format("stability.of_brightest", bound);
 }
 
-std::string cost_words(const StabilityResult &result) {
+std::string cost_words(const Words &words, const StabilityResult &result) {
     if (!result.guarded) {
-        return "none: the textbook's program, fed better numbers";
+        return words.text("stability.no_cost");
     }
-    return result.cost ? short_number(*result.cost) + " times the textbook's run time" : "";
+    return result.cost ? words.format("stability.cost", short_number(*result.cost)) : "";
 }
 
-std::string error_words(const StabilityRow &row) {
+std::string error_words(const Words &words, const StabilityRow &row) {
     const auto bad = row.metrics.nonfinite_pixels;
-    return bad > 0 ? fmt::format("{} not finite", bad) : short_number(row.error);
+    return bad > 0 ? words.format("stability.not_finite", bad) : short_number(row.error);
 }
 
 } // namespace sandbox

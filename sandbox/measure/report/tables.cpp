@@ -124,10 +124,10 @@ std::string cheapest_rows(const ReportRun &run) {
                 any = true;
                 const MeasuredRow &found = m.rows[*row];
                 const std::size_t ties = ties_of(m, *row, norm, bound).size();
-                table.text(
-                    fmt::format(R"({}<br><span class="q">{}, {} ms{}</span>)", technique_code(found.plan.technique),
-                                escaped(mesh_words(m.meshes[found.plan.mesh])), milliseconds_text(found.time->median),
-                                ties == 0 ? "" : fmt::format("; a tie with {} other{}", ties, ties == 1 ? "" : "s")));
+                table.text(fmt::format(
+                    R"({}<br><span class="q">{}, {} ms{}</span>)", technique_code(found.plan.technique),
+                    escaped(mesh_words(run.words, m.meshes[found.plan.mesh])), milliseconds_text(found.time->median),
+                    ties == 0 ? "" : fmt::format("; a tie with {} other{}", ties, ties == 1 ? "" : "s")));
             }
         }
     }

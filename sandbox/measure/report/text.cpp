@@ -1,5 +1,7 @@
 #include "measure/report/text.h"
 
+#include "words/row_words.h"
+
 #include <cmath>
 
 namespace sandbox {
@@ -26,13 +28,61 @@ std::string milliseconds_text(double value) {
     return fmt::format("{:.{}f}", value, value >= 100 ? 0 : value >= 10 ? 1 : value >= 1 ? 2 : 3);
 }
 
-std::string mesh_words(const PlannedMesh &mesh) {
-    return mesh.ladder ? fmt::format("{} rings{}", mesh.rings, mesh.own ? " (the scene's own)" : "")
-                       : "the scene's own mesh";
+std::string mesh_words(const Words &words, const PlannedMesh &mesh) {
+    return mesh.ladder ? words.format(mesh.own ? "mesh.own_rings" : "mesh.rings", mesh.rings)
+                       : words.text("mesh.scenes_own");
 }
 
-std::string short_mesh_words(const PlannedMesh &mesh) {
-    return mesh.ladder ? fmt::format("{} rings", mesh.rings) : "own mesh";
+std::string short_mesh_words(const Words &words, const PlannedMesh &mesh) {
+    return mesh.ladder ? words.format("mesh.rings", mesh.rings) : words.text("mesh.own");
+}
+
+namespace {
+
+std::string norm_key(ErrorNorm norm) { return fmt::format("norm.{}", quantity_of(norm).name); }
+std::string mask_key(const Mask &mask) { return fmt::format("mask.{}", mask.name); }
+std::string part_key(const ErrorPart &part) { return fmt::format("error_part.{}", part.name); }
+
+} // namespace
+
+std::string title_of(const Words &words, ErrorNorm norm) { return row_text(words, norm_key(norm), name_of(norm)); }
+std::string long_title_of(const Words &words, ErrorNorm norm) {
+    return row_text(words, norm_key(norm) + ".long", quantity_of(norm).meaning);
+}
+std::string title_of(const Words &words, const Mask &mask) { return row_text(words, mask_key(mask), mask.name); }
+std::string title_of(const Words &words, const ErrorPart &part) {
+    return row_text(words, part_key(part), part.meaning);
+}
+
+std::string why_untrusted(const Words &words, const Metrics &metrics) {
+    if (why_untrusted(metrics).empty()) {
+        return {};
+    }
+    std::size_t shown = metrics.compared_pixels;
+    std::vector<std::string> causes;
+    for (const Mask &mask : masks) {
+        shown += metrics.*mask.pixels;
+        if (metrics.*mask.pixels > 0) {
+            causes.push_back(fmt::format("{} {}", title_of(words, mask), metrics.*mask.pixels));
+        }
+    }
+    return shown == 0 ? words.text("untrusted.nothing")
+                      : words.format("untrusted", metrics.compared_pixels, shown, fmt::join(causes, ", "));
+}
+
+std::map<std::string, std::string> measured_row_texts() {
+    std::map<std::string, std::string> texts;
+    for (const ErrorNorm norm : error_norms) {
+        texts.emplace(norm_key(norm), name_of(norm));
+        texts.emplace(norm_key(norm) + ".long", quantity_of(norm).meaning);
+    }
+    for (const Mask &mask : masks) {
+        texts.emplace(mask_key(mask), mask.name);
+    }
+    for (const ErrorPart &part : error_parts) {
+        texts.emplace(part_key(part), part.meaning);
+    }
+    return texts;
 }
 
 std::string bound_name(double bound) { return bound == 1e-5 ? "1e-5" : fmt::format("1/{}", std::lround(1 / bound)); }

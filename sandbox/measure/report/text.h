@@ -1,9 +1,11 @@
 #pragma once
 
-#include "measure/work_precision/run.h"
+#include "measure/work_precision/findings.h"
+#include "words/words.h"
 
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
 #include <string>
 
 /// How pages, tables and the window write numbers and names.
@@ -21,9 +23,21 @@ template <class T> std::string quantity_text(const Quantity<T> &quantity, const 
 /// As a table shows milliseconds: "0.123", "12.3".
 std::string milliseconds_text(double value);
 /// "16 rings", "the scene's own mesh"
-std::string mesh_words(const PlannedMesh &mesh);
+std::string mesh_words(const Words &words, const PlannedMesh &mesh);
 /// "16 rings", "own mesh"
-std::string short_mesh_words(const PlannedMesh &mesh);
+std::string short_mesh_words(const Words &words, const PlannedMesh &mesh);
+/// "RMSE", "99th percentile", "largest"
+std::string title_of(const Words &words, ErrorNorm norm);
+/// "root mean square error"
+std::string long_title_of(const Words &words, ErrorNorm norm);
+/// "silhouette"
+std::string title_of(const Words &words, const Mask &mask);
+/// "float32 arithmetic"
+std::string title_of(const Words &words, const ErrorPart &part);
+/// As why_untrusted().
+std::string why_untrusted(const Words &words, const Metrics &metrics);
+/// The texts of these tables' rows by key, in English, as row_texts() has those of other tables.
+std::map<std::string, std::string> measured_row_texts();
 /// Of an error bound: "1/255", "1e-5".
 std::string bound_name(double bound);
 

@@ -14,14 +14,14 @@ void wake_window() { glfwPostEmptyEvent(); }
 void job_progress_row(Session &session, BackgroundJob &job) {
     const bool cancelled = job.cancelled();
     ImGui::BeginDisabled(cancelled);
-    if (button(session, "Cancel", "Stops; what has been measured so far is kept.")) {
+    if (button(session, session.label("cancel"), session.text("job.cancel.help"))) {
         job.cancel();
     }
     ImGui::EndDisabled();
     ImGui::SameLine();
     const JobProgress progress = job.progress();
     const std::string text =
-        cancelled ? "stopping" : fmt::format("{:.0f} %   {}", progress.share * 100, progress.doing);
+        cancelled ? session.text("job.stopping") : session.text("job.progress", progress.share * 100, progress.doing);
     ImGui::ProgressBar(static_cast<float>(progress.share), {-1, 0}, text.c_str());
 }
 

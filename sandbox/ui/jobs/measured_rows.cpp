@@ -32,30 +32,30 @@ void take_row(Document &document, const WorkPrecision &measured, std::size_t row
     (right ? document.right : document.left) = plan.technique;
 }
 
-std::vector<std::string> row_lines(const WorkPrecision &measured, std::size_t index) {
+std::vector<std::string> row_lines(const Words &words, const WorkPrecision &measured, std::size_t index) {
     const MeasuredRow &row = measured.rows[index];
     const PlannedMesh &mesh = measured.meshes[row.plan.mesh];
     std::vector<std::string> lines{to_string(row.plan.technique),
-                                   fmt::format("{}, {} triangles", mesh_words(mesh), mesh.triangles)};
+                                   words.format("row.mesh", mesh_words(words, mesh), mesh.triangles)};
     if (row.time) {
-        lines.push_back(fmt::format("{} ms, half of the frames within {} to {}", milliseconds_text(row.time->median),
-                                    milliseconds_text(row.time->lower_quartile),
-                                    milliseconds_text(row.time->upper_quartile)));
+        lines.push_back(words.format("row.time", milliseconds_text(row.time->median),
+                                     milliseconds_text(row.time->lower_quartile),
+                                     milliseconds_text(row.time->upper_quartile)));
     }
     if (row.errors) {
         std::vector<std::string> errors, parts;
         for (const ErrorNorm norm : error_norms) {
             errors.push_back(
-                fmt::format("{} {}", name_of(norm), short_number(value_of(row.errors->total.norms, norm))));
+                fmt::format("{} {}", title_of(words, norm), short_number(value_of(row.errors->total.norms, norm))));
         }
         for (const ErrorPart &part : error_parts) {
-            parts.push_back(fmt::format("{} {}", part.meaning, short_number(part.rmse(row.errors->split))));
+            parts.push_back(fmt::format("{} {}", title_of(words, part), short_number(part.rmse(row.errors->split))));
         }
         lines.push_back(fmt::format("{}", fmt::join(errors, ", ")));
-        if (const std::string mark = row.mark(); !mark.empty()) {
+        if (const std::string mark = why_untrusted(words, row.errors->total); !mark.empty()) {
             lines.push_back(mark);
         }
-        lines.push_back(fmt::format("RMSE of its parts: {},", fmt::join(parts.begin(), parts.begin() + 2, ", ")));
+        lines.push_back(words.format("row.parts", fmt::join(parts.begin(), parts.begin() + 2, ", ")));
         lines.push_back(fmt::format("{}", fmt::join(parts.begin() + 2, parts.end(), ", ")));
     }
     return lines;

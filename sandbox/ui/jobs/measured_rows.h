@@ -2,6 +2,7 @@
 
 #include "measure/work_precision/findings.h"
 #include "ui/session/document.h"
+#include "words/words.h"
 
 #include <cstddef>
 #include <optional>
@@ -23,7 +24,7 @@ std::optional<std::size_t> shown_row(const WorkPrecision &measured, const Docume
 void take_row(Document &document, const WorkPrecision &measured, std::size_t row, bool right);
 
 /// What is said of a row, a line each: technique, mesh, time, error, and where the error comes from.
-std::vector<std::string> row_lines(const WorkPrecision &measured, std::size_t row);
+std::vector<std::string> row_lines(const Words &words, const WorkPrecision &measured, std::size_t row);
 
 /// Rows that have both an error and a run time.
 std::size_t complete_rows(const WorkPrecision &measured);

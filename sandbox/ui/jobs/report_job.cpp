@@ -4,6 +4,7 @@
 #include "reference/reference.h"
 #include "render/context.h"
 #include "render/frame_clock.h"
+#include "words/row_words.h"
 
 #include <algorithm>
 #include <chrono>
@@ -17,31 +18,33 @@ namespace sandbox {
 namespace {
 
 /// Draws the same, and tells the job's reporter what.
-DrawRows reported(const DrawRows &draw, JobReporter &reporter) {
+DrawRows reported(const DrawRows &draw, const Words &words, JobReporter &reporter) {
     return {draw.load,
-            [&](const Scene &s, const Technique &t) {
-                reporter.say("error of " + to_string(t));
+            [&, words](const Scene &s, const Technique &t) {
+                reporter.say(words.format("job.error_of", title_of(words, t)));
                 return draw.picture(s, t);
             },
-            [&](const Scene &s, const Technique &t) {
-                reporter.say("run time of " + to_string(t));
+            [&, words](const Scene &s, const Technique &t) {
+                reporter.say(words.format("job.time_of", title_of(words, t)));
                 return draw.timed(s, t);
             }};
 }
 
-ReportRun measure(const Scene &scene, bool quick, const DrawnBy &by, Renderer &renderer, JobReporter &reporter) {
+ReportRun measure(const Scene &scene, bool quick, const DrawnBy &by, const Words &words, Renderer &renderer,
+                  JobReporter &reporter) {
     const PlanOptions options = quick ? quick_plan() : PlanOptions{};
     Target target(options.size);
     FrameClock clock(Context::software(), [&] { renderer.draw(scene, {}, target); });
     const DrawRows draw = rows_drawn_by(renderer, target, clock);
     ReportRun run = new_report_run(by.renderer, by.opengl, std::string(clock.name()));
     run.quick = quick;
-    reporter.say("the truth, in double precision");
-    run.measured = measure_work_precision(scene, options, reported(draw, reporter),
+    run.words = words;
+    reporter.say(words.text("job.truth"));
+    run.measured = measure_work_precision(scene, options, reported(draw, words, reporter),
                                           [&](double share) { return reporter.report(share); });
     if (run.measured.finished) {
-        reporter.say("pictures for the report");
-        run.pictures = report_pictures(run.measured, draw);
+        reporter.say(words.text("job.pictures"));
+        run.pictures = report_pictures(words, run.measured, draw);
     }
     return run;
 }
@@ -111,9 +114,9 @@ double estimate(const Scene &scene, bool quick, Renderer &renderer, JobReporter 
 
 } // namespace
 
-std::string about_seconds(double seconds) {
-    return seconds < 100 ? fmt::format("about {} s", std::max(std::lround(seconds / 5) * 5, 5L))
-                         : fmt::format("about {} min", std::lround(seconds / 60));
+std::string about_seconds(const Words &words, double seconds) {
+    return seconds < 100 ? words.format("error_time.seconds", std::max(std::lround(seconds / 5) * 5, 5L))
+                         : words.format("error_time.minutes", std::lround(seconds / 60));
 }
 
 std::unique_ptr<CostJob> start_estimate(const DrawingSupplies &supplies, const Scene &scene, bool quick) {
@@ -122,11 +125,12 @@ std::unique_ptr<CostJob> start_estimate(const DrawingSupplies &supplies, const S
     });
 }
 
-std::unique_ptr<ReportJob> start_report(const DrawingSupplies &supplies, const Scene &scene, bool quick) {
-    return std::make_unique<ReportJob>(supplies,
-                                       [scene, quick, by = supplies.by](Renderer &renderer, JobReporter &reporter) {
-                                           return measure(scene, quick, by, renderer, reporter);
-                                       });
+std::unique_ptr<ReportJob> start_report(const DrawingSupplies &supplies, const Scene &scene, bool quick,
+                                        const Words &words) {
+    return std::make_unique<ReportJob>(
+        supplies, [scene, quick, words, by = supplies.by](Renderer &renderer, JobReporter &reporter) {
+            return measure(scene, quick, by, words, renderer, reporter);
+        });
 }
 
 } // namespace sandbox

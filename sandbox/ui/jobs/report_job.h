@@ -11,14 +11,15 @@ namespace sandbox {
 using ReportJob = DrawingJob<ReportRun>;
 
 /// Starts to measure `scene`, as the command `report` would. Throws MachineError (see Context::make_worker).
-std::unique_ptr<ReportJob> start_report(const DrawingSupplies &supplies, const Scene &scene, bool quick);
+std::unique_ptr<ReportJob> start_report(const DrawingSupplies &supplies, const Scene &scene, bool quick,
+                                        const Words &words);
 
 /// How many seconds that would take on this machine, from a few of its rows: about a twentieth of them. Throws
 /// MachineError (see Context::make_worker).
 using CostJob = DrawingJob<double>;
 std::unique_ptr<CostJob> start_estimate(const DrawingSupplies &supplies, const Scene &scene, bool quick);
 
-/// "about 40 s", "about 12 min"; at least 5 s.
-std::string about_seconds(double seconds);
+/// "takes about 40 s", "takes about 12 min"; at least 5 s.
+std::string about_seconds(const Words &words, double seconds);
 
 } // namespace sandbox

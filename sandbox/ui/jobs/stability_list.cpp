@@ -10,10 +10,12 @@ namespace sandbox {
 
 namespace {
 
+constexpr std::string_view not_run_title = "stability.not_run_title";
+
 Verdict verdict_of(bool passed) { return passed ? Verdict::holds : Verdict::breaks; }
 
-std::string verdict_text(Verdict verdict, const StabilityRow &row) {
-    return fmt::format("{}, {}", verdict_word(verdict), error_words(row));
+std::string verdict_text(const Words &words, Verdict verdict, const StabilityRow &row) {
+    return words.format("verdict.figure", verdict_word(words, verdict), error_words(words, row));
 }
 
 } // namespace
@@ -35,19 +37,19 @@ Verdict robust_verdict(const ListedCase &listed) {
     return listed.result ? verdict_of(listed.result->passed()) : Verdict::not_run;
 }
 
-const char *verdict_word(Verdict verdict) {
-    constexpr const char *words[] = {"not run", "holds", "breaks"};
-    return words[static_cast<int>(verdict)];
+std::string verdict_word(const Words &words, Verdict verdict) {
+    constexpr std::string_view keys[] = {"verdict.not_run", "verdict.holds", "verdict.breaks"};
+    return words.text(keys[static_cast<int>(verdict)]);
 }
 
-std::string textbook_text(const ListedCase &listed) {
-    return listed.result ? verdict_text(textbook_verdict(listed), listed.result->textbook)
-                         : verdict_word(Verdict::not_run);
+std::string textbook_text(const Words &words, const ListedCase &listed) {
+    return listed.result ? verdict_text(words, textbook_verdict(listed), listed.result->textbook)
+                         : verdict_word(words, Verdict::not_run);
 }
 
-std::string robust_text(const ListedCase &listed) {
-    return listed.result ? verdict_text(robust_verdict(listed), listed.result->worst())
-                         : verdict_word(Verdict::not_run);
+std::string robust_text(const Words &words, const ListedCase &listed) {
+    return listed.result ? verdict_text(words, robust_verdict(listed), listed.result->worst())
+                         : verdict_word(words, Verdict::not_run);
 }
 
 std::string cost_text(const ListedCase &listed) {
@@ -55,19 +57,22 @@ std::string cost_text(const ListedCase &listed) {
     return cost ? fmt::format("{:.2f}x", *cost) : "";
 }
 
-std::string summary(const std::vector<ListedCase> &cases) {
+std::string summary(const Words &words, const std::vector<ListedCase> &cases) {
     const auto count = [&](Verdict (*verdict)(const ListedCase &), Verdict wanted) {
         return std::ranges::count_if(cases, [&](const ListedCase &listed) { return verdict(listed) == wanted; });
     };
     const auto broken = count(robust_verdict, Verdict::breaks);
     const auto run = count(robust_verdict, Verdict::holds) + broken;
     if (run == 0) {
-        return fmt::format("{} cases, none run yet", cases.size());
+        return words.format("stability.none_run", cases.size());
     }
     const auto textbook = count(textbook_verdict, Verdict::breaks);
-    return fmt::format("{} of {} run: robust {}, the textbook breaks in {}", run, cases.size(),
-                       broken == 0 ? "holds in all" : fmt::format("breaks in {}", broken),
-                       textbook == 0 ? "none" : fmt::format("{}", textbook));
+    const auto count_text = [&](auto number, std::string_view none, std::string_view some) {
+        return number == 0 ? words.text(none) : words.format(some, number);
+    };
+    return words.format("stability.summary", run, cases.size(),
+                        count_text(broken, "stability.robust_holds", "stability.robust_breaks"),
+                        count_text(textbook, "stability.in_none", "stability.in"));
 }
 
 std::string short_name(const StabilityCase &definition) {
@@ -80,10 +85,10 @@ bool is_shown(const ListedCase &listed, const CaseFilter &filter) {
            (!filter.textbook_breaks || textbook_verdict(listed) == Verdict::breaks);
 }
 
-std::vector<CaseList> lists_of(const std::vector<ListedCase> &cases, const CaseFilter &filter) {
+std::vector<CaseList> lists_of(const Words &words, const std::vector<ListedCase> &cases, const CaseFilter &filter) {
     std::vector<CaseList> lists;
     for (const auto &[verdict, title] :
-         {std::pair(Verdict::breaks, breaks_title), std::pair(Verdict::not_run, "Not run yet"),
+         {std::pair(Verdict::breaks, breaks_title), std::pair(Verdict::not_run, not_run_title),
           std::pair(Verdict::holds, holds_title)}) {
         CaseList list;
         for (std::size_t i = 0; i < cases.size(); ++i) {
@@ -91,7 +96,7 @@ std::vector<CaseList> lists_of(const std::vector<ListedCase> &cases, const CaseF
                 list.cases.push_back(i);
             }
         }
-        list.title = fmt::format("{}: {}", title, list.cases.size());
+        list.title = words.format("stability.list", words.text(title), list.cases.size());
         if (!list.cases.empty()) {
             lists.push_back(std::move(list));
         }

@@ -2,6 +2,7 @@
 
 #include "measure/stability/stability.h"
 #include "ui/session/document.h"
+#include "words/words.h"
 
 #include <optional>
 #include <string>
@@ -23,15 +24,15 @@ enum class Verdict { not_run, holds, breaks };
 /// Of the textbook's form, and of the program's own, which must hold for all of the case's techniques.
 Verdict textbook_verdict(const ListedCase &listed);
 Verdict robust_verdict(const ListedCase &listed);
-const char *verdict_word(Verdict verdict); ///< "not run", "holds", "breaks"
+std::string verdict_word(const Words &words, Verdict verdict); ///< "not run", "holds", "breaks"
 /// "not run", "holds, 1.2e-06", "breaks, 0.31", "breaks, 3 not finite".
-std::string textbook_text(const ListedCase &listed);
-std::string robust_text(const ListedCase &listed);
+std::string textbook_text(const Words &words, const ListedCase &listed);
+std::string robust_text(const Words &words, const ListedCase &listed);
 /// "1.04x", or nothing where there is no cost.
 std::string cost_text(const ListedCase &listed);
 
 /// "39 of 106 run: robust holds in all, the textbook breaks in 12"
-std::string summary(const std::vector<ListedCase> &cases);
+std::string summary(const Words &words, const std::vector<ListedCase> &cases);
 
 /// The name without its group, under which it is listed: "light-on-the-surface".
 std::string short_name(const StabilityCase &definition);
@@ -47,7 +48,7 @@ struct CaseList {
     std::vector<std::size_t> cases;
 };
 /// Where the textbook's form breaks, what was not run, where nothing breaks; lists without a case are left out.
-std::vector<CaseList> lists_of(const std::vector<ListedCase> &cases, const CaseFilter &filter);
+std::vector<CaseList> lists_of(const Words &words, const std::vector<ListedCase> &cases, const CaseFilter &filter);
 /// Every group once, in order.
 std::vector<std::string> groups_of(const std::vector<ListedCase> &cases);
 

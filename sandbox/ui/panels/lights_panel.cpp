@@ -2,6 +2,7 @@
 #include "ui/session/edits.h"
 #include "ui/widgets/property_rows.h"
 #include "ui/widgets/theme.h"
+#include "words/row_words.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -13,17 +14,20 @@ namespace sandbox {
 
 namespace {
 
+Label kind_label(const Session &session, const LightKind &kind) {
+    return {title_of(session.words, kind), std::string(kind.word)};
+}
+
 /// One switch for all lights of a kind.
 void kind_switches(Session &session) {
     Scene &scene = session.document.scene;
     for (const LightKind &kind : light_kinds) {
-        const std::string name(kind.word);
+        const Label name = kind_label(session, kind);
         if (&kind != light_kinds.begin()) {
-            same_line_if_fits(ImGui::CalcTextSize(name.c_str()).x + ImGui::GetFrameHeight() * 1.4F);
+            same_line_if_fits(ImGui::CalcTextSize(name.shown.c_str()).x + ImGui::GetFrameHeight() * 1.4F);
         }
         bool on = std::ranges::any_of(scene.lights, [&](const Light &l) { return l.type == kind.type && l.enabled; });
-        if (checkbox(session, name, on,
-                     fmt::format("Turns all {} lights on or off; adds one if there is none.", name))) {
+        if (checkbox(session, name, on, session.text("lights.kind.help", name.shown))) {
             switch_lights(scene, kind.type, on);
         }
     }
@@ -31,9 +35,9 @@ void kind_switches(Session &session) {
 
 void kind_choice(Session &session, Light &light) {
     for (const LightKind &kind : light_kinds) {
-        const std::string name(kind.word);
+        const Label name = kind_label(session, kind);
         if (&kind != light_kinds.begin()) {
-            same_line_if_fits(ImGui::CalcTextSize(name.c_str()).x + ImGui::GetFrameHeight() * 1.4F);
+            same_line_if_fits(ImGui::CalcTextSize(name.shown.c_str()).x + ImGui::GetFrameHeight() * 1.4F);
         }
         if (radio_button(session, name, light.type == kind.type, "")) {
             set_type(light, kind.type, session.document.scene.camera);
@@ -43,8 +47,7 @@ void kind_choice(Session &session, Light &light) {
 
 void cone_switch(Session &session, Light &light, const Light &opened) {
     bool cone = has_cone(light);
-    if (control_row(session, {"cone", any, "Off: the spot shines in all directions, and its exponent has no effect."},
-                    cone, opened.cutoff_degrees != 180)) {
+    if (control_row(session, row_of(session, "lights.cone", any), cone, opened.cutoff_degrees != 180)) {
         set_cutoff(light, !cone ? 180 : opened.cutoff_degrees != 180 ? opened.cutoff_degrees : Light{}.cutoff_degrees);
     }
 }
@@ -68,13 +71,13 @@ ImVec4 shown_color(const glm::dvec3 &color) {
 bool light_entry(Session &session, std::size_t index) {
     Light &light = session.document.scene.lights[index];
     ImGui::Checkbox("##on", &light.enabled);
-    describe_item(session, "on", "On or off: a light that is off costs nothing.", light.enabled ? "on" : "off");
+    describe_item(session, "on", session.text("lights.on.help"), light.enabled ? "on" : "off");
     ImGui::SameLine();
     ImGui::ColorButton("##colour", shown_color(light.color),
                        ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop,
                        ImVec2(ImGui::GetFontSize(), ImGui::GetFrameHeight()));
     ImGui::SameLine();
-    const std::string name = fmt::format("{}  {}", index + 1, kind_of(light.type).word);
+    const std::string name = fmt::format("{}  {}", index + 1, title_of(session.words, kind_of(light.type)));
     const std::string title = name + "###light"; // what stands before ### may change
     const float button = ImGui::GetFrameHeight();
     const float right_edge = ImGui::GetWindowContentRegionMax().x;
@@ -86,11 +89,11 @@ bool light_entry(Session &session, std::size_t index) {
         describe_item(session, "title", "", name);
     } else {
         ImGui::AlignTextToFramePadding();
-        ImGui::TextColored(quiet_text(), "%s, off", name.c_str());
+        ImGui::TextColored(quiet_text(), "%s", session.text("lights.off", name).c_str());
     }
     ImGui::SameLine(right_edge - button);
     const bool remove = ImGui::Button("\xC3\x97", ImVec2(button, 0));
-    describe_item(session, "remove", "Remove this light.");
+    describe_item(session, "remove", session.text("lights.remove.help"));
     if (open && !remove) {
         light_rows(session, light, session.opened_light(index));
         ImGui::Separator();
@@ -105,11 +108,12 @@ void add_buttons(Session &session) {
         if (!can_add_light(scene, kind.type)) {
             continue;
         }
-        const std::string label = fmt::format("+ {}", kind.word);
+        const Label kind_name = kind_label(session, kind);
+        const Label label{"+ " + kind_name.shown, "+ " + kind_name.name};
         if (!std::exchange(first, false)) {
-            same_line_if_fits(button_width(label));
+            same_line_if_fits(button_width(label.shown));
         }
-        if (button(session, label, "Adds a light over the camera's right shoulder, up to 8 of each type.")) {
+        if (button(session, label, session.text("lights.add.help"))) {
             add_light(scene, kind.type);
         }
     }
@@ -122,8 +126,9 @@ void lights_panel(Session &session) {
     kind_switches(session);
     for (const OverlayKind &kind : overlay_kinds) {
         if (kind.on == &Overlays::lights) {
-            checkbox(session, std::string(kind.title), session.view.drawn_over.*kind.on,
-                     fmt::format("Draws {}, which the mouse drags ({}).", kind.help, kind.key));
+            checkbox(session, {title_of(session.words, kind), std::string(kind.title)},
+                     session.view.drawn_over.*kind.on,
+                     session.text("lights.overlay.help", help_of(session.words, kind), kind.key));
         }
     }
     std::optional<std::size_t> removed;
@@ -137,7 +142,7 @@ void lights_panel(Session &session) {
         scene.lights.erase(scene.lights.begin() + static_cast<std::ptrdiff_t>(*removed));
     }
     add_buttons(session);
-    heading("Whole scene");
+    heading(session.text("lights.whole_scene"));
     property_rows(session, scene, session.document.opened->scene);
 }
 

@@ -48,11 +48,11 @@ void shape_rows(Session &session, Shape &shape, const Shape &opened) {
 constexpr double offered_factors[] = {0.25, 0.5, 1, 2, 4};
 
 /// A row of factors, of which `chosen` stays pressed; the one that is clicked.
-std::optional<double> factor_row(Session &session, const std::string &label, std::optional<double> chosen,
+std::optional<double> factor_row(Session &session, const Label &label, std::optional<double> chosen,
                                  const std::string &hint) {
     std::optional<double> clicked;
-    row_label(label);
-    const ScopedName name(session, label);
+    row_label(label.shown);
+    const ScopedName name(session, label.name);
     for (const double factor : offered_factors) {
         if (toggle_button(session, mesh_factor_text(factor), chosen == factor, hint)) {
             clicked = factor;
@@ -74,22 +74,18 @@ std::vector<Object> tessellated(const Session &session, double factor) {
 }
 
 void all_meshes(Session &session) {
-    heading("All meshes: rings, segments and divisions times");
+    heading(session.text("mesh.factors"));
     std::optional<double> all;
     for (const double factor : offered_factors) {
         all = !all && tessellated(session, factor) == session.document.scene.objects ? factor : all;
     }
-    if (const auto clicked = factor_row(session, "in A and B", all,
-                                        "Sets the counts of every shape at once, as multiples of those that the scene "
-                                        "was opened with. Models from files keep their triangles.")) {
+    if (const auto clicked = factor_row(session, session.label("mesh.both"), all, session.text("mesh.both.help"))) {
         session.document.scene.objects = tessellated(session, *clicked);
     }
     for (const bool right : {false, true}) {
         double &factor = session.document.mesh_factors[right ? 1 : 0];
         factor =
-            factor_row(session, right ? "in B alone" : "in A alone", factor,
-                       "A factor on top, for this side only: a coarse mesh beside a fine one. Each side's truth is "
-                       "that of its own mesh.")
+            factor_row(session, session.label("mesh.alone", right ? "B" : "A"), factor, session.text("mesh.alone.help"))
                 .value_or(factor);
     }
 }
@@ -100,7 +96,7 @@ std::string triangles_text(const Session &session) {
         return "";
     }
     const std::size_t left = a[session.object], right = b[session.object];
-    return left == right ? fmt::format("{} triangles", left) : fmt::format("A: {} triangles, B: {}", left, right);
+    return left == right ? session.text("mesh.triangles", left) : session.text("mesh.triangles_of_both", left, right);
 }
 
 } // namespace
@@ -121,14 +117,14 @@ void mesh_panel(Session &session) {
         if (kind.on == &Overlays::lights) {
             continue; // the Lights panel has it
         }
-        const std::string name(kind.title);
+        const Label name{title_of(session.words, kind), std::string(kind.title)};
         same_line_if_fits(kind.on == &Overlays::wireframe
                               ? ImGui::GetWindowWidth()
-                              : ImGui::CalcTextSize(name.c_str()).x + ImGui::GetFrameHeight() * 1.4F);
+                              : ImGui::CalcTextSize(name.shown.c_str()).x + ImGui::GetFrameHeight() * 1.4F);
         checkbox(session, name, session.view.drawn_over.*kind.on,
-                 fmt::format("Draws over both pictures {} ({}).", kind.help, kind.key));
+                 session.text("mesh.overlay.help", help_of(session.words, kind), kind.key));
     }
-    heading("Transform");
+    heading(session.text("mesh.transform"));
     property_rows(session, object.transform, opened.transform);
 }
 

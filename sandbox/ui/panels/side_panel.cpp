@@ -14,46 +14,47 @@ namespace sandbox {
 
 namespace {
 
-std::string faults_title(const Session &session) {
+/// What stands in brackets behind a title; empty: nothing.
+std::string faults_count(const Session &session) {
     const auto faults_of = [](const Technique &technique) {
         return std::ranges::count_if(
             technique_keys(), [&](const TechniqueKey &key) { return key.is_fault() && key.get(technique) != 0; });
     };
     const auto a = faults_of(session.document.left);
     const auto b = faults_of(session.document.right);
-    return a + b == 0 ? "Faults" : fmt::format("Faults (A {}, B {})", a, b);
+    return a + b == 0 ? "" : fmt::format("A {}, B {}", a, b);
 }
 
-std::string lights_title(const Session &session) {
-    return fmt::format("Lights ({})", session.document.scene.lights.size());
-}
+std::string lights_count(const Session &session) { return fmt::format("{}", session.document.scene.lights.size()); }
 
 struct Panel {
-    std::string (*title)(const Session &);
+    std::string_view title; ///< a text's key
     void (*draw)(Session &);
     bool open; ///< at first
+    std::string (*count)(const Session &) = nullptr;
 };
 
 constexpr Panel panels[] = {
-    {[](const Session &) -> std::string { return "Technique"; }, technique_panel, true},
-    {faults_title, faults_panel, false},
-    {lights_title, lights_panel, true},
-    {[](const Session &) -> std::string { return "Material"; }, material_panel, false},
-    {[](const Session &) -> std::string { return "Mesh"; }, mesh_panel, false},
-    {[](const Session &) -> std::string { return "Camera and display"; }, camera_panel, false},
+    {"panel.technique", technique_panel, true},
+    {"panel.faults", faults_panel, false, faults_count},
+    {"panel.lights", lights_panel, true, lights_count},
+    {"panel.material", material_panel, false},
+    {"panel.mesh", mesh_panel, false},
+    {"panel.camera", camera_panel, false},
 };
 
 } // namespace
 
 void side_panel(Session &session) {
     for (const Panel &panel : panels) {
-        const std::string shown = panel.title(session);
-        const std::string name = shown.substr(0, shown.find(" (")); // "Lights" of "Lights (3)"
-        const std::string title = shown + "###" + name;             // what stands before ### may change
-        const bool open = ImGui::CollapsingHeader(title.c_str(), panel.open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
-        describe_item(session, name, "", shown);
+        Label title = session.label(panel.title);
+        if (const std::string count = panel.count != nullptr ? panel.count(session) : ""; !count.empty()) {
+            title.shown = session.text("panel.count", title.shown, count);
+        }
+        const bool open = ImGui::CollapsingHeader(title.id().c_str(), panel.open ? ImGuiTreeNodeFlags_DefaultOpen : 0);
+        describe_item(session, title.name, "", title.shown);
         if (open) {
-            const ScopedName panel_name(session, name);
+            const ScopedName panel_name(session, title.name);
             panel.draw(session);
             ImGui::Spacing();
         }
@@ -63,7 +64,7 @@ void side_panel(Session &session) {
 bool object_choice(Session &session) {
     const std::vector<Object> &objects = session.document.scene.objects;
     if (objects.empty()) {
-        ImGui::TextUnformatted("This scene has no object.");
+        ImGui::TextUnformatted(session.text("object.none").c_str());
         return false;
     }
     if (objects.size() > 1) {

@@ -4,6 +4,7 @@
 #include "ui/session/usable_controls.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
+#include "words/row_words.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -21,8 +22,8 @@ std::string value_name(const TechniqueKey &key, int value) {
 }
 
 /// "normals=model-matrix: wrong under non-uniform scale."
-std::string value_hint(const TechniqueKey &key, int value) {
-    return fmt::format("{}: {}.", value_name(key, value), key.values[static_cast<std::size_t>(value)].look_for);
+std::string value_hint(const Session &session, const TechniqueKey &key, int value) {
+    return session.text("technique.value.help", value_name(key, value), look_for(session.words, key, value));
 }
 
 /// The mark of one side; true when clicked.
@@ -46,43 +47,45 @@ void side_cell(Session &session, const TechniqueKey &key, int value, bool right)
         set_key(technique, key, set ? 0 : value);
     }
     ImGui::PopStyleColor();
-    describe_item(session, value_name(key, value), fmt::format("{}, {}", right ? "B" : "A", value_hint(key, value)),
+    describe_item(session, value_name(key, value),
+                  session.text("technique.side.help", right ? "B" : "A", value_hint(session, key, value)),
                   set ? "on" : "off");
 }
 
 /// Quiet text beside the label, or under it where the column is too narrow.
-void remark(const char *text) {
+void remark(const std::string &text) {
     ImGui::SameLine();
-    if (ImGui::GetContentRegionAvail().x < ImGui::CalcTextSize(text).x) {
+    if (ImGui::GetContentRegionAvail().x < ImGui::CalcTextSize(text.c_str()).x) {
         ImGui::NewLine();
     }
-    ImGui::TextColored(quiet_text(), "%s", text);
+    ImGui::TextColored(quiet_text(), "%s", text.c_str());
 }
 
 /// Where a value is on but does nothing, though the other side could show it.
-const char *idle_side(const Document &document, const TechniqueKey &key, int value) {
+std::optional<char> idle_side(const Document &document, const TechniqueKey &key, int value) {
     const auto idle = [&](const Technique &side) {
         return key.get(side) == value && value_use(key, value, document.scene, side) == ValueUse::no_effect;
     };
-    return idle(document.left) ? "no effect in A" : idle(document.right) ? "no effect in B" : nullptr;
+    return idle(document.left) ? std::optional('A') : idle(document.right) ? std::optional('B') : std::nullopt;
 }
 
 void label_cell(Session &session, const TechniqueKey &key, int value, bool effect) {
     const Document &document = session.document;
     ImGui::AlignTextToFramePadding();
-    const std::string name = key.is_fault() ? std::string(fault_name(key, value)) : title_of(key, value);
+    const std::string fault = fault_name(session.words, key, value);
+    const std::string name = fault.empty() ? title_of(session.words, key, value) : fault;
     wrapped_text(effect ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : quiet_text(), name);
-    describe_item(session, value_name(key, value), value_hint(key, value), name);
+    describe_item(session, value_name(key, value), value_hint(session, key, value), name);
     const bool set = key.get(document.left) == value || key.get(document.right) == value;
     if (!effect) {
-        remark("no effect here");
-    } else if (const char *idle = idle_side(document, key, value)) {
-        remark(idle);
+        remark(session.text("technique.no_effect"));
+    } else if (const auto idle = idle_side(document, key, value)) {
+        remark(session.text("technique.no_effect_in", *idle));
     }
     if (set && key.kind != TechniqueKey::Kind::choice) {
-        const std::string look_for(key.values[static_cast<std::size_t>(value)].look_for);
-        wrapped_text(quiet_text(), look_for);
-        describe_item(session, value_name(key, value) + "/look for", "", look_for);
+        const std::string text = look_for(session.words, key, value);
+        wrapped_text(quiet_text(), text);
+        describe_item(session, value_name(key, value) + "/look for", "", text);
     }
 }
 
@@ -115,7 +118,7 @@ void value_row(Session &session, const TechniqueKey &key, int value) {
     if (best == ValueUse::refused) {
         return;
     }
-    const ScopedId id(title_of(key, value));
+    const ScopedId id(title_of(key, value)); // in English: what a state belongs to
     ImGui::TableNextRow();
     ImGui::TableSetColumnIndex(0);
     label_cell(session, key, value, best == ValueUse::open);
@@ -134,13 +137,13 @@ void setting_rows(Session &session, TechniqueKey::Kind kind) {
     }
 }
 
-void heading_row(const char *text) {
+void heading_row(const std::string &text) {
     ImGui::TableNextRow();
     ImGui::TableSetColumnIndex(0);
     heading(text);
 }
 
-void key_rows(Session &session, const TechniqueKey &key, const char *title) {
+void key_rows(Session &session, const TechniqueKey &key, const std::string &title) {
     heading_row(title);
     for (int value = 0; value < static_cast<int>(key.values.size()); ++value) {
         value_row(session, key, value);
@@ -150,7 +153,7 @@ void key_rows(Session &session, const TechniqueKey &key, const char *title) {
 /// Says that A is drawn on the processor, where it is; unticking the box ends that.
 void textbook_row(Session &session) {
     bool textbook = session.document.left_is_textbook();
-    if (textbook && ImGui::Checkbox("A: a textbook's float32, on the processor", &textbook)) {
+    if (textbook && ImGui::Checkbox(session.label("technique.textbook").id().c_str(), &textbook)) {
         session.document.textbook.reset();
     }
 }
@@ -160,14 +163,14 @@ void textbook_row(Session &session) {
 void technique_panel(Session &session) {
     textbook_row(session);
     if (session.same_picture) {
-        wrapped_text(quiet_text(), "A and B draw the same picture of this scene.");
+        wrapped_text(quiet_text(), session.text("technique.same_picture"));
     }
     if (!begin_technique_table("technique")) {
         return;
     }
-    key_rows(session, frequency_key, "Frequency: where the equation runs");
-    key_rows(session, model_key, "Reflection model");
-    heading_row("Variants");
+    key_rows(session, frequency_key, session.text("technique.frequency.title"));
+    key_rows(session, model_key, session.text("technique.model.title"));
+    heading_row(session.text("technique.variants"));
     setting_rows(session, TechniqueKey::Kind::variant);
     ImGui::EndTable();
 }

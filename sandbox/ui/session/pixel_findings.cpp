@@ -34,7 +34,12 @@ const reference::LightTerms *terms_of(const ProbedPixel &side, std::size_t light
 }
 
 using Value = std::function<std::string(const ProbedPixel &)>;
-void add_row(std::vector<ProbeRow> &rows, const PixelFindings &found, std::string title, const Value &value) {
+/// A text of all languages as one that scripts know.
+template <class... T> Label label(const Words &words, std::string_view key, const T &...values) {
+    return {words.format(key, values...), words.english().format(key, values...)};
+}
+
+void add_row(std::vector<ProbeRow> &rows, const PixelFindings &found, Label title, const Value &value) {
     ProbeRow row{std::move(title), {}};
     for (const Probed side : all_probed) {
         row.values[static_cast<std::size_t>(side)] = found[side] ? value(*found[side]) : "";
@@ -43,39 +48,40 @@ void add_row(std::vector<ProbeRow> &rows, const PixelFindings &found, std::strin
 }
 
 /// What the equation meets of one light, then what the light adds.
-void add_light(std::vector<ProbeRow> &rows, const PixelFindings &found, std::size_t light) {
+void add_light(std::vector<ProbeRow> &rows, const Words &words, const PixelFindings &found, std::size_t light) {
     using reference::LightTerms;
-    const auto row = [&](const char *title, const std::function<std::string(const LightTerms &)> &value) {
-        add_row(rows, found, fmt::format("light {}: {}", light + 1, title), [&](const ProbedPixel &side) {
+    const auto row = [&](std::string_view title, const std::function<std::string(const LightTerms &)> &value) {
+        add_row(rows, found, label(words, title, light + 1), [&](const ProbedPixel &side) {
             const LightTerms *terms = terms_of(side, light);
             return terms != nullptr ? value(*terms) : "";
         });
     };
     const Light &lamp = found.of.scene.lights[light];
     const bool highlight = found.of.left.model != Model::lambert || found.of.right.model != Model::lambert;
-    row("L", [](const LightTerms &t) { return vector(t.vectors.l); });
-    row("N.L", [](const LightTerms &t) { return number(t.n_dot_l); });
+    row("probe.light.l", [](const LightTerms &t) { return vector(t.vectors.l); });
+    row("probe.light.n_dot_l", [](const LightTerms &t) { return number(t.n_dot_l); });
     if (kind_of(lamp.type).positional) {
-        row("attenuation a", [](const LightTerms &t) { return number(t.vectors.a); });
+        row("probe.light.attenuation", [](const LightTerms &t) { return number(t.vectors.a); });
     }
     if (kind_of(lamp.type).conical) {
-        row("cone s", [](const LightTerms &t) { return number(t.s); });
+        row("probe.light.cone", [](const LightTerms &t) { return number(t.s); });
     }
     if (highlight) {
         if (found.of.left.model == Model::phong || found.of.right.model == Model::phong) {
-            row("R", [](const LightTerms &t) { return if_any(t.vectors.r); });
+            row("probe.light.r", [](const LightTerms &t) { return if_any(t.vectors.r); });
         }
         if (found.of.left.model == Model::blinn_phong || found.of.right.model == Model::blinn_phong) {
-            row("H", [](const LightTerms &t) { return if_any(t.vectors.h); });
+            row("probe.light.h", [](const LightTerms &t) { return if_any(t.vectors.h); });
         }
-        row("f", [](const LightTerms &t) { return number(t.f); });
-        row("f^n", [](const LightTerms &t) { return number(t.f_power); });
+        row("probe.light.f", [](const LightTerms &t) { return number(t.f); });
+        row("probe.light.power", [](const LightTerms &t) { return number(t.f_power); });
     }
     for (const std::string_view term : {"ambient", "diffuse", "specular"}) {
-        add_row(rows, found, fmt::format("light {}: {} share", light + 1, term), [&](const ProbedPixel &side) {
-            const TermShare *share = same_term(side.shares, {light, term, {}});
-            return share != nullptr ? vector(share->color) : std::string("0");
-        });
+        add_row(rows, found, label(words, fmt::format("probe.light.{}", term), light + 1),
+                [&](const ProbedPixel &side) {
+                    const TermShare *share = same_term(side.shares, {light, term, {}});
+                    return share != nullptr ? vector(share->color) : std::string("0");
+                });
     }
 }
 
@@ -101,7 +107,7 @@ PixelFindings probe_sides(const SidesShown &shown, const SideResources &resource
     return found;
 }
 
-std::string worst_term(const ProbedPixel &side, const ProbedPixel &truth) {
+std::string worst_term(const Words &words, const ProbedPixel &side, const ProbedPixel &truth) {
     double most = one_level;
     std::string text;
     for (const TermShare &right : truth.shares) {
@@ -111,39 +117,42 @@ std::string worst_term(const ProbedPixel &side, const ProbedPixel &truth) {
         const int channel = apart.g > apart.r && apart.g >= apart.b ? 1 : apart.b > apart.r ? 2 : 0;
         if (apart[channel] >= most) {
             most = apart[channel];
-            const std::string whose = right.light ? fmt::format("light {}, {}", *right.light + 1, right.term)
-                                                  : std::string("the scene's ambient light");
-            text = fmt::format("{}: {} {:.3g}, should be {:.3g}", whose,
-                               std::array{"red", "green", "blue"}[static_cast<std::size_t>(channel)], is[channel],
-                               right.color[channel]);
+            const std::string whose = right.light ? words.format("probe.term", *right.light + 1,
+                                                                 words.text(fmt::format("term.{}", right.term)))
+                                                  : words.text("probe.scene_ambient");
+            constexpr std::array channels{"channel.red", "channel.green", "channel.blue"};
+            text = words.format("probe.worst", whose, words.text(channels[static_cast<std::size_t>(channel)]),
+                                is[channel], right.color[channel]);
         }
     }
     return text;
 }
 
-std::vector<ProbeRow> probe_rows(const PixelFindings &found) {
+std::vector<ProbeRow> probe_rows(const Words &words, const PixelFindings &found) {
     std::vector<ProbeRow> rows;
-    add_row(rows, found, "colour", [](const ProbedPixel &side) { return vector(side.probe.color); });
-    add_row(rows, found, "position", [](const ProbedPixel &side) { return vector(side.probe.position); });
+    add_row(rows, found, label(words, "probe.colour"),
+            [](const ProbedPixel &side) { return vector(side.probe.color); });
+    add_row(rows, found, label(words, "probe.position"),
+            [](const ProbedPixel &side) { return vector(side.probe.position); });
     add_row(rows, found, "N", [](const ProbedPixel &side) { return vector(side.probe.normal); });
     add_row(rows, found, "V", [](const ProbedPixel &side) { return vector(side.probe.view); });
-    add_row(rows, found, "scene's own light", [](const ProbedPixel &side) {
+    add_row(rows, found, label(words, "probe.scene_light"), [](const ProbedPixel &side) {
         return side.shares.empty() ? std::string() : vector(side.shares.front().color);
     });
     for (std::size_t light = 0; light < found.of.scene.lights.size(); ++light) {
         if (found.of.scene.lights[light].enabled) {
-            add_light(rows, found, light);
+            add_light(rows, words, found, light);
         }
     }
     return rows;
 }
 
-std::string probe_text(const PixelFindings &found) {
-    std::string text =
-        fmt::format("pixel {}, {} of {}x{}\tA {}\tB {}\ttruth of A\ttruth of B\n", found.x, found.y,
-                    found.of.size.width, found.of.size.height, to_string(found.of.left), to_string(found.of.right));
-    for (const ProbeRow &row : probe_rows(found)) {
-        text += fmt::format("{}\t{}\n", row.title, fmt::join(row.values, "\t"));
+std::string probe_text(const Words &words, const PixelFindings &found) {
+    std::string text = words.format("probe.title", found.x, found.y, found.of.size.width, found.of.size.height,
+                                    to_string(found.of.left), to_string(found.of.right)) +
+                       "\n";
+    for (const ProbeRow &row : probe_rows(words, found)) {
+        text += fmt::format("{}\t{}\n", row.title.shown, fmt::join(row.values, "\t"));
     }
     return text;
 }

@@ -2,6 +2,8 @@
 
 #include "reference/term_shares.h"
 #include "ui/session/findings.h"
+#include "ui/session/label.h"
+#include "words/words.h"
 
 #include <array>
 #include <optional>
@@ -36,15 +38,15 @@ PixelFindings probe_sides(const SidesShown &shown, const SideResources &resource
 
 /// "light 2, specular: 0.12, should be 0.61": the term of a side that is farthest from the truth; empty where none
 /// differs by a level of 8 bits or more.
-std::string worst_term(const ProbedPixel &side, const ProbedPixel &truth);
+std::string worst_term(const Words &words, const ProbedPixel &side, const ProbedPixel &truth);
 
 /// A table as text, for the clipboard and the window: a title and its values in A, B and the truth.
 struct ProbeRow {
-    std::string title;
+    Label title;
     std::array<std::string, all_probed.size()> values;
 };
-std::vector<ProbeRow> probe_rows(const PixelFindings &found);
+std::vector<ProbeRow> probe_rows(const Words &words, const PixelFindings &found);
 /// The rows, tabs between the columns.
-std::string probe_text(const PixelFindings &found);
+std::string probe_text(const Words &words, const PixelFindings &found);
 
 } // namespace sandbox

@@ -1,6 +1,7 @@
 #include "ui/session/session.h"
 
 #include "capture/samples.h"
+#include "image/system_font.h"
 
 #include <algorithm>
 #include <exception>
@@ -47,6 +48,15 @@ void show_document(Session &session, const Document &document) {
     session.document = document;
     session.history.record(document);
     keep_object_valid(session);
+}
+
+void use_characters(Session &session, std::string_view text) {
+    while (!text.empty()) {
+        const char32_t character = take_character(text);
+        if (character >= first_chinese) {
+            session.chinese.insert(character);
+        }
+    }
 }
 
 void toggle_tab(Session &session, std::size_t tab) {

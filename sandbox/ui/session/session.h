@@ -17,6 +17,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -121,6 +122,7 @@ struct Session {
     bool answer_shown = false; ///< of the step's question
     WidgetMap widgets;         ///< for scripts
     Words words = words_in(languages.front());
+    std::set<char32_t> chinese; ///< characters in use, for the fonts: see use_characters()
 
     explicit Session(Document first) : document(first), history(std::move(first)) {}
 
@@ -149,6 +151,8 @@ int samples_shown(const Session &session);
 void attempt(Session &session, const std::string &failure, const std::function<void()> &action);
 /// Replaces the document, as one step that can be undone.
 void show_document(Session &session, const Document &document);
+/// The fonts have the Chinese characters of `text`, which comes from a file or a person, from the next frame on.
+void use_characters(Session &session, std::string_view text);
 /// Opens the bottom panel at `tab`; folds it if that tab is open.
 void toggle_tab(Session &session, std::size_t tab);
 void undo(Session &session);

@@ -74,6 +74,7 @@ PictureOptions picture_options(const Session &session, Size each) {
     options.masks = session.view.masks && options.layout != Layout::difference;
     options.divider = static_cast<double>(session.view.divider);
     options.labels = true;
+    options.language = session.words.language();
     options.marks.vectors = session.view.overlay == Overlay::pixel && session.view.probed();
     options.marks.loupe = session.view.loupe && session.view.probed();
     options.marks.pixel = options.marks.vectors || options.marks.loupe ? session.view.probed() : std::nullopt;

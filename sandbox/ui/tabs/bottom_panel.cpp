@@ -25,11 +25,19 @@ float tabs_height() { return std::ceil(ImGui::GetFrameHeight() + 2 * ImGui::GetS
 /// How the titles stand beside each other: the first way that fits.
 enum class Titles { whole, brief, list };
 
-Titles titles_for(float room) {
+Label title_of(const Session &session, const BottomTab &row, Titles titles) {
+    Label title = session.label(title_key(row));
+    if (titles == Titles::brief) {
+        title.shown = session.text(title_key(row) + ".brief");
+    }
+    return title;
+}
+
+Titles titles_for(const Session &session, float room) {
     for (const Titles titles : {Titles::whole, Titles::brief}) {
         float width = 0;
         for (const BottomTab &row : bottom_tabs) {
-            width += button_width(titles == Titles::whole ? row.title : row.brief) + title_gap;
+            width += button_width(title_of(session, row, titles).shown) + title_gap;
         }
         if (width - title_gap <= room) {
             return titles;
@@ -42,7 +50,7 @@ Titles titles_for(float room) {
 void draw_list(Session &session, float width) {
     std::vector<Label> names{session.label(session.appearance.tab ? "tabs.none" : "tabs.choose")};
     for (const BottomTab &row : bottom_tabs) {
-        names.emplace_back(row.title);
+        names.push_back(session.label(title_key(row)));
     }
     std::size_t chosen = session.appearance.tab ? *session.appearance.tab + 1 : 0;
     ImGui::SetNextItemWidth(std::min(width, ImGui::GetFontSize() * 14));
@@ -53,16 +61,16 @@ void draw_list(Session &session, float width) {
 
 void draw_titles(Session &session) {
     const float room = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().WindowPadding.x;
-    const Titles titles = titles_for(room);
+    const Titles titles = titles_for(session, room);
     if (titles == Titles::list) {
         return draw_list(session, room);
     }
     for (std::size_t tab = 0; tab < std::size(bottom_tabs); ++tab) {
         const BottomTab &row = bottom_tabs[tab];
         const bool open = session.appearance.tab == tab;
-        const char *fold = open ? "  Click again to fold it." : "";
-        if (toggle_button(session, {titles == Titles::brief ? row.brief : row.title, row.title}, open,
-                          fmt::format("{} ({}).{}", row.hint, row.key, fold))) {
+        const std::string help = session.text("hint.key", session.text(title_key(row) + ".help"), row.key);
+        if (toggle_button(session, title_of(session, row, titles), open,
+                          open ? help + "  " + session.text("tabs.fold") : help)) {
             toggle_tab(session, tab);
         }
         ImGui::SameLine(0, title_gap);
@@ -113,7 +121,7 @@ void BottomPanel::follow(Session &session, ViewPainter &painter) {
 }
 
 void BottomPanel::draw_content(Session &session, ViewPainter &painter, std::size_t tab, float width) {
-    const ScopedName name(session, bottom_tabs[tab].title);
+    const ScopedName name(session, session.label(title_key(bottom_tabs[tab])).name);
     const ImVec2 size{width, -ImGui::GetStyle().ItemSpacing.y};
     if (ImGui::BeginChild("content", size, false, ImGuiWindowFlags_NavFlattened)) {
         contents_[tab]->draw(session, painter);

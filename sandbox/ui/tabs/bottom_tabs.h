@@ -8,6 +8,8 @@
 #include <iterator>
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
 
 namespace sandbox {
 
@@ -30,13 +32,12 @@ class TabContent {
 };
 
 struct BottomTab {
-    const char *title;
-    const char *brief; ///< in place of the title where there is little room
-    char key;          ///< opens and folds it
-    const char *hint;  ///< what it shows
+    std::string_view word; ///< its title is the text tab.WORD, briefly tab.WORD.brief, and tab.WORD.help what it shows
+    char key;              ///< opens and folds it
     std::unique_ptr<TabContent> (*make)(const DrawingSupplies &);
     Overlay overlay = Overlay::none; ///< drawn over the pictures while it is open
 };
+inline std::string title_key(const BottomTab &row) { return "tab." + std::string(row.word); }
 
 std::unique_ptr<TabContent> pixel_probe_tab(const DrawingSupplies &supplies);
 std::unique_ptr<TabContent> profile_tab(const DrawingSupplies &supplies);
@@ -48,16 +49,13 @@ std::unique_ptr<TabContent> lesson_tab(const DrawingSupplies &supplies);
 
 /// From left to right. The panel, the menu, the keyboard and the list of keys read these rows.
 constexpr BottomTab bottom_tabs[] = {
-    {"Pixel probe", "Probe", 'P', "All vectors and terms of one pixel, in A, B and the truth", pixel_probe_tab,
-     Overlay::pixel},
-    {"Profile", "Profile", 'L', "A, B and the truth along a line through the pictures", profile_tab, Overlay::profile},
-    {"Motion", "Motion", 'O',
-     "A light, an object, the camera or any number plays; how far pictures jump from frame to frame", motion_tab},
-    {"Error vs run time", "Error", 'E', "How far every technique is from the truth, and how long it takes",
-     error_time_tab},
-    {"GLSL", "GLSL", 'G', "The programs of A and B beside each other", glsl_tab},
-    {"Stability", "Stability", 'S', "Stiff and extreme scenes, in which a textbook's formulas break", stability_tab},
-    {"Lesson", "Lesson", 'B', "Step by step, every claim measured here (B: the blackboard)", lesson_tab},
+    {"pixel_probe", 'P', pixel_probe_tab, Overlay::pixel},
+    {"profile", 'L', profile_tab, Overlay::profile},
+    {"motion", 'O', motion_tab},
+    {"error_time", 'E', error_time_tab},
+    {"glsl", 'G', glsl_tab},
+    {"stability", 'S', stability_tab},
+    {"lesson", 'B', lesson_tab},
 };
 
 /// The one that draws `overlay` over the pictures; none for Overlay::none.

@@ -32,7 +32,7 @@ class ErrorTimeTab final : public TabContent {
     void show_measured_model(const WorkPrecision &measured, Model wished);
     void controls(Session &session);
     void findings(Session &session);
-    void facts() const;
+    void facts(const Session &session) const;
 
     DrawingSupplies supplies_;
     bool quick_ = true;
@@ -56,7 +56,7 @@ void ErrorTimeTab::start(Session &session) {
             estimated_.reset();
         }
         running_name_ = session.document.opened->name;
-        job_ = start_report(supplies_, session.document.scene, quick_);
+        job_ = start_report(supplies_, session.document.scene, quick_, session.words);
     } catch (const std::exception &error) {
         failure_ = error.what();
     }
@@ -100,30 +100,30 @@ void ErrorTimeTab::estimate(const Session &session, const ViewPainter &painter) 
 void ErrorTimeTab::show_estimate(Session &session) const {
     const bool known = session.appearance.run_times && estimated_ == std::pair(session.document.scene, quick_);
     const std::string text = !known        ? ""
-                             : seconds_    ? "takes " + about_seconds(*seconds_)
-                             : estimating_ ? "estimating how long it takes ..."
+                             : seconds_    ? about_seconds(session.words, *seconds_)
+                             : estimating_ ? session.text("error_time.estimating")
                                            : "";
     if (!text.empty()) {
         ImGui::SameLine();
         ImGui::AlignTextToFramePadding();
         ImGui::TextColored(quiet_text(), "%s", text.c_str());
-        describe_item(session, "estimate", "Estimated from a few of its rows, on this machine.", text);
+        describe_item(session, "estimate", session.text("error_time.estimate.help"), text);
     }
 }
 
 /// Keeps the result of the job, which has ended.
 void ErrorTimeTab::finish(Session &session) {
     if (job_->job().state() == JobState::failed) {
-        failure_ = "Not measured: " + job_->job().error();
+        failure_ = session.text("error_time.not_measured") + job_->job().error();
         session.message = {failure_, true};
     } else if (ReportRun run = job_->take_result(); complete_rows(run.measured) > 0) {
         const bool finished = run.measured.finished;
         show_measured_model(run.measured, run_ ? view_.model : session.document.right.model);
         run_ = std::move(run);
         name_ = running_name_;
-        session.message = {finished ? "Measured." : "Cancelled; what was measured is shown.", false};
+        session.message = {session.text(finished ? "error_time.measured" : "error_time.cancelled"), false};
     } else {
-        session.message = {"Cancelled before any run time was taken.", false};
+        session.message = {session.text("error_time.cancelled_early"), false};
     }
     job_.reset();
 }
@@ -135,37 +135,34 @@ void ErrorTimeTab::show_measured_model(const WorkPrecision &measured, Model wish
 }
 
 void ErrorTimeTab::controls(Session &session) {
-    if (toggle_button(session, "quick", quick_, "320x240, up to 64 rings, 5 rounds: an overview.")) {
+    if (toggle_button(session, session.label("error_time.quick"), quick_, session.text("error_time.quick.help"))) {
         quick_ = true;
     }
     ImGui::SameLine(0, 2);
-    if (toggle_button(session, "full", !quick_, "640x480, up to 512 rings, 21 rounds: figures to quote.")) {
+    if (toggle_button(session, session.label("error_time.full"), !quick_, session.text("error_time.full.help"))) {
         quick_ = false;
     }
     ImGui::SameLine();
-    if (button(session, "Run",
-               "Measures the scene as it is now; times are steadiest while the window is left alone.")) {
+    if (button(session, session.label("error_time.run"), session.text("error_time.run.help"))) {
         start(session);
     }
     show_estimate(session);
     if (run_) {
         ImGui::SameLine();
-        if (button(session, "Export", "Writes report.html, report.json and report.csv into a new folder.")) {
-            attempt(session, "Not exported: ", [&] {
-                session.message = {"Exported to " + export_report(*run_, name_).string(), false};
+        if (button(session, session.label("export"), session.text("error_time.export.help"))) {
+            attempt(session, session.text("message.not_exported"), [&] {
+                session.message = {session.text("message.exported", export_report(*run_, name_).string()), false};
             });
         }
     }
 }
 
 /// How the numbers were taken.
-void ErrorTimeTab::facts() const {
+void ErrorTimeTab::facts(const Session &session) const {
     const WorkPrecision &m = run_->measured;
-    wrapped_text(quiet_text(),
-                 fmt::format("{}, {}x{}, medians of {} rounds: {}, on {}.", name_, m.options.size.width,
-                             m.options.size.height, complete_rounds(m), run_->machine.clock, run_->machine.renderer));
-    wrapped_text(quiet_text(), "N rings: the first sphere (without one: torus, cylinder, grid) is divided into N "
-                               "rings, all others in proportion.");
+    wrapped_text(quiet_text(), session.text("error_time.facts", name_, m.options.size.width, m.options.size.height,
+                                            complete_rounds(m), run_->machine.clock, run_->machine.renderer));
+    wrapped_text(quiet_text(), session.text("error_time.rings"));
 }
 
 void ErrorTimeTab::findings(Session &session) {
@@ -190,7 +187,7 @@ void ErrorTimeTab::findings(Session &session) {
     ImGui::BeginGroup();
     cheapest_table(session, m, view_);
     ImGui::Spacing();
-    facts();
+    facts(session);
     ImGui::EndGroup();
 }
 
@@ -209,9 +206,7 @@ void ErrorTimeTab::draw(Session &session, ViewPainter &painter) {
     if (run_) {
         findings(session);
     } else {
-        wrapped_text(quiet_text(), "Run draws every technique on meshes from coarse to fine, compares each picture "
-                                   "with the truth in double precision, and takes its time, on " +
-                                       supplies_.by.renderer + ".");
+        wrapped_text(quiet_text(), session.text("error_time.about", supplies_.by.renderer));
     }
 }
 

@@ -59,8 +59,8 @@ void draw_line(Session &session, const Listing &own, const Listing &other, std::
     ImGui::TextUnformatted(text.c_str());
     if (line < own.origins[stage].size()) {
         const std::string where = own.origins[stage][line];
-        describe_item(session, fmt::format("line {}", line + 1),
-                      moved ? where + "; the other side has this line in its other stage." : where, text);
+        describe_item(session, fmt::format("line {}", line + 1), moved ? session.text("glsl.moved.help", where) : where,
+                      text);
     }
 }
 
@@ -88,11 +88,11 @@ std::size_t stage_choice(Session &session) {
     ImGuiStorage &state = *ImGui::GetStateStorage();
     const ImGuiID id = ImGui::GetID("stage");
     int stage = state.GetInt(id, 1);
-    if (toggle_button(session, "vertex shader", stage == 0, "Runs once per vertex.")) {
+    if (toggle_button(session, session.label("glsl.vertex"), stage == 0, session.text("glsl.vertex.help"))) {
         stage = 0;
     }
     ImGui::SameLine();
-    if (toggle_button(session, "fragment shader", stage == 1, "Runs once per pixel.")) {
+    if (toggle_button(session, session.label("glsl.fragment"), stage == 1, session.text("glsl.fragment.help"))) {
         stage = 1;
     }
     state.SetInt(id, stage);
@@ -100,18 +100,18 @@ std::size_t stage_choice(Session &session) {
 }
 
 void column_title(Session &session, const Listing &listing, std::size_t stage, bool right) {
-    ImGui::TextColored(side_color(right), "%s   %zu lines", right ? "B" : "A", listing.lines[stage].size());
+    ImGui::TextColored(side_color(right), "%s",
+                       session.text("glsl.lines", right ? "B" : "A", listing.lines[stage].size()).c_str());
     if (!right && session.document.left_is_textbook()) {
-        describe_item(session, "textbook",
-                      "A is drawn on the processor in a textbook's float32; this is the program of its technique.");
+        describe_item(session, "textbook", session.text("glsl.textbook.help"));
         ImGui::SameLine();
-        ImGui::TextColored(error_text(), "not what A shows");
+        ImGui::TextColored(error_text(), "%s", session.text("glsl.textbook").c_str());
     }
     ImGui::SameLine();
     const ScopedName side(session, right ? "B" : "A");
-    if (small_button(session, "copy", "Copies this program's text.")) {
+    if (small_button(session, session.label("copy"), session.text("glsl.copy.help"))) {
         ImGui::SetClipboardText(listing.text[stage].c_str());
-        session.message = {"Copied.", false};
+        session.message = {session.text("message.copied"), false};
     }
 }
 
@@ -129,7 +129,7 @@ std::unique_ptr<TabContent> glsl_tab(const DrawingSupplies &) { return std::make
 void GlslTab::draw(Session &session, ViewPainter &painter) {
     const auto &objects = session.document.scene.objects;
     if (objects.empty()) {
-        ImGui::TextUnformatted("This scene has no object.");
+        ImGui::TextUnformatted(session.text("object.none").c_str());
         return;
     }
     try {
@@ -137,7 +137,7 @@ void GlslTab::draw(Session &session, ViewPainter &painter) {
                                               list_program(session, painter, true)};
         const std::size_t stage = stage_choice(session);
         if (objects.size() > 1) {
-            const std::string of = fmt::format("of object {} {}", session.object + 1, objects[session.object].name);
+            const std::string of = session.text("glsl.object", session.object + 1, objects[session.object].name);
             same_line_if_fits(ImGui::CalcTextSize(of.c_str()).x);
             ImGui::TextColored(quiet_text(), "%s", of.c_str());
         }

@@ -13,7 +13,7 @@ namespace sandbox {
 
 namespace {
 
-constexpr std::array curve_names{"A", "B", "truth"};
+std::array<Label, 3> curve_labels(const Session &session) { return {"A", "B", session.label("truth")}; }
 
 struct Frame2d {
     ImVec2 low, high;
@@ -36,14 +36,13 @@ void draw_curve(const std::vector<double> &curve, const Frame2d &frame, ImU32 co
     ImGui::GetWindowDrawList()->AddPolyline(points.data(), static_cast<int>(points.size()), color, 0, thickness);
 }
 
-std::string curve_text(const Session &session, const Changes &changes, std::size_t i) {
+std::string curve_text(const Session &session, const Changes &changes, std::size_t i, const std::string &name) {
     const std::vector<double> &curve = changes.curves[i];
     const auto moment = static_cast<std::size_t>(session.playback.moment);
     if (session.playback.shown && moment > 0 && moment <= curve.size()) {
-        return fmt::format("{} {:.3f}", curve_names[i], curve[moment - 1]);
+        return fmt::format("{} {:.3f}", name, curve[moment - 1]);
     }
-    return curve.empty() ? std::string(curve_names[i])
-                         : fmt::format("{} up to {:.3f}", curve_names[i], std::ranges::max(curve));
+    return curve.empty() ? name : session.text("motion.up_to", name, std::ranges::max(curve));
 }
 
 } // namespace
@@ -59,16 +58,15 @@ void motion_strip(Session &session, const Changes &changes) {
         frame.top = curve.empty() ? frame.top : std::max(frame.top, std::ranges::max(curve) * 1.05);
     }
     const std::size_t done = changes.curves[0].size() + 1;
-    const std::string progress =
-        static_cast<int>(done) < frame.moments ? fmt::format("; {} of {} moments", done, frame.moments) : "";
-    ImGui::TextColored(quiet_text(), "largest change since the moment before, at %dx%d%s", changes.size.width,
-                       changes.size.height, progress.c_str());
-    for (std::size_t i = 0; i < curve_names.size(); ++i) {
-        const std::string text = curve_text(session, changes, i);
+    std::string what = session.text("motion.change", changes.size.width, changes.size.height);
+    what += static_cast<int>(done) < frame.moments ? session.text("motion.progress", done, frame.moments) : "";
+    ImGui::TextColored(quiet_text(), "%s", what.c_str());
+    const std::array<Label, 3> labels = curve_labels(session);
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        const std::string text = curve_text(session, changes, i, labels[i].shown);
         same_line_if_fits(ImGui::CalcTextSize(text.c_str()).x);
         ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(colors[i]), "%s", text.c_str());
-        describe_item(session, curve_names[i],
-                      "The largest change of any channel of a pixel that shows the same object in both moments.", text);
+        describe_item(session, labels[i].name, session.text("motion.change.help"), text);
     }
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 room = ImGui::GetContentRegionAvail();
@@ -82,7 +80,7 @@ void motion_strip(Session &session, const Changes &changes) {
             std::clamp(static_cast<int>(share * static_cast<float>(frame.moments)), 0, frame.moments - 1);
         step_motion(session, wanted - session.playback.moment);
     }
-    describe_item(session, "strip", "Click or drag: shows that moment.");
+    describe_item(session, "strip", session.text("motion.strip.help"));
     ImDrawList &list = *ImGui::GetWindowDrawList();
     list.AddRect(frame.low, frame.high, ImGui::GetColorU32(ImGuiCol_Border));
     list.AddText({corner.x, frame.low.y - em * 0.3F}, colors[2], fmt::format("{:.2g}", frame.top).c_str());

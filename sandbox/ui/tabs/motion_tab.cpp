@@ -89,32 +89,33 @@ void course_controls(Session &session) {
     for (const SceneNumber &number : numbers_of(session.document.scene)) {
         range = !degrees && number.path == motion.path ? number.range : range;
     }
-    const auto field = [&](const char *name, double &value, const Range &of, const char *hint, double reset) {
+    const auto field = [&](const Label &name, double &value, const Range &of, const std::string &hint, double reset) {
         const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
-        same_line_if_fits(ImGui::CalcTextSize(name).x + gap + ImGui::GetFontSize() * 6);
+        same_line_if_fits(ImGui::CalcTextSize(name.shown.c_str()).x + gap + ImGui::GetFontSize() * 6);
         ImGui::AlignTextToFramePadding();
-        ImGui::TextUnformatted(name);
+        ImGui::TextUnformatted(name.shown.c_str());
         ImGui::SameLine(0, gap);
         ImGui::SetNextItemWidth(ImGui::GetFontSize() * 6);
         slider(session, {name, of, hint}, value, reset);
     };
-    field("from", motion.from, range, degrees ? "Degrees, from how the scene has it." : "The number at first.", 0);
-    field("to", motion.to, range, degrees ? "Degrees; 360: once around." : "The number at last, or halfway.",
-          degrees ? 360 : motion.to);
-    field("seconds", motion.seconds, {.low = 0.1, .high = longest_motion, .slider = {1, 30, "%.3g"}},
-          "Of one round, at 30 moments a second: the speed. A slow machine plays slower and leaves out none.", 8);
-    for (const auto &[course, name] : {std::pair(Course::turn, "turn"), std::pair(Course::to_and_fro, "to and fro")}) {
-        same_line_if_fits(button_width(name));
-        if (toggle_button(session, name, motion.course == course,
-                          course == Course::turn ? "From the first to the last, then again from the first."
-                                                 : "From the first to the last and back.")) {
+    field(session.label("motion.from"), motion.from, range,
+          session.text(degrees ? "motion.from_degrees.help" : "motion.from.help"), 0);
+    field(session.label("motion.to"), motion.to, range,
+          session.text(degrees ? "motion.to_degrees.help" : "motion.to.help"), degrees ? 360 : motion.to);
+    field(session.label("motion.seconds"), motion.seconds,
+          {.low = 0.1, .high = longest_motion, .slider = {1, 30, "%.3g"}}, session.text("motion.seconds.help"), 8);
+    for (const auto &[course, key] :
+         {std::pair(Course::turn, "motion.turn"), std::pair(Course::to_and_fro, "motion.to_and_fro")}) {
+        const Label name = session.label(key);
+        same_line_if_fits(button_width(name.shown));
+        if (toggle_button(session, name, motion.course == course, session.text(std::string(key) + ".help"))) {
             motion.course = course;
         }
     }
 }
 
 void MotionTab::capture(Session &session, ViewPainter &painter) {
-    attempt(session, "Not captured: ", [&] {
+    attempt(session, session.text("message.not_captured"), [&] {
         const Size each = painter.view(false).size;
         PictureOptions options = picture_options(session, each);
         options.samples = 1; // as it plays
@@ -130,7 +131,7 @@ void MotionTab::capture(Session &session, ViewPainter &painter) {
 
 /// In cells of the views' shape, together no wider than `widest`.
 void MotionTab::capture_sweep(Session &session, ViewPainter &painter) {
-    attempt(session, "Not captured: ", [&] {
+    attempt(session, session.text("message.not_captured"), [&] {
         constexpr int widest = 8192;
         const Document &document = session.document;
         if (document.left_is_textbook()) {
@@ -156,55 +157,52 @@ void MotionTab::capture_sweep(Session &session, ViewPainter &painter) {
 /// A number alone can be swept.
 void MotionTab::sweep_controls(Session &session, ViewPainter &painter) {
     const float field = ImGui::GetFontSize() * 3, gap = ImGui::GetStyle().ItemInnerSpacing.x;
-    same_line_if_fits(button_width("Capture a sweep of") + field + 2 * gap + ImGui::CalcTextSize("values").x);
+    same_line_if_fits(button_width(session.text("motion.sweep")) + field + 2 * gap +
+                      ImGui::CalcTextSize(session.text("motion.values").c_str()).x);
     ImGui::BeginDisabled(session.playback.motion.mover != Mover::number);
-    if (button(session, "Capture a sweep of",
-               "Writes one labelled picture: A and B under each other, the number's values across, evenly from its "
-               "first to its last. What moves must be a number.")) {
+    if (button(session, session.label("motion.sweep"), session.text("motion.sweep.help"))) {
         capture_sweep(session, painter);
     }
     ImGui::SameLine(0, gap);
     ImGui::SetNextItemWidth(field);
-    slider(session, {"values", {.low = 2, .high = 16, .slider = {2, 16, "%.0f"}}, "Pictures beside each other."},
-           sweep_values_, 5);
+    slider(session, row_of(session, "motion.values", {.low = 2, .high = 16, .slider = {2, 16, "%.0f"}}), sweep_values_,
+           5);
     ImGui::SameLine(0, gap);
-    ImGui::TextUnformatted("values");
+    ImGui::TextUnformatted(session.text("motion.values").c_str());
     ImGui::EndDisabled();
 }
 
 void MotionTab::buttons(Session &session, ViewPainter &painter) {
     const Playback &play = session.playback;
-    if (toggle_button(session, play.playing ? "Pause" : "Play", play.playing,
-                      "Plays, and pauses where it is (A). Undo is not filled: the scene itself stays as it is.")) {
+    if (toggle_button(session, session.label(play.playing ? "motion.pause" : "motion.play"), play.playing,
+                      session.text("motion.play.help"))) {
         play_or_pause(session);
     }
     ImGui::SameLine(0, 2);
-    if (button(session, "<", "A moment back (,).")) {
+    if (button(session, "<", session.text("motion.back.help"))) {
         step_motion(session, -1);
     }
     ImGui::SameLine(0, 2);
-    if (button(session, ">", "A moment on (.).")) {
+    if (button(session, ">", session.text("motion.on.help"))) {
         step_motion(session, 1);
     }
     ImGui::SameLine(0, 2);
-    if (button(session, "Stop", "Shows the scene itself again, as it was before it moved.")) {
+    if (button(session, session.label("motion.stop"), session.text("motion.stop.help"))) {
         stop_motion(session);
     }
     ImGui::SameLine(0, 2);
     ImGui::BeginDisabled(!play.shown);
-    if (button(session, "Keep", "Makes what is shown now the scene, as one step that can be undone, and stops.")) {
+    if (button(session, session.label("motion.keep"), session.text("motion.keep.help"))) {
         keep_moment(session);
     }
     ImGui::EndDisabled();
-    same_line_if_fits(button_width("Capture the sequence"));
-    if (button(session, "Capture the sequence",
-               "Writes every moment of a round, as the views show it, as PNG files into a new folder, with one sidecar "
-               "that makes them again.")) {
+    same_line_if_fits(button_width(session.text("motion.sequence")));
+    if (button(session, session.label("motion.sequence"), session.text("motion.sequence.help"))) {
         capture(session, painter);
     }
     sweep_controls(session, painter);
-    const std::string where =
-        !play.shown ? "the scene itself" : fmt::format("moment {} of {}", play.moment, moments_of(play.motion));
+    const std::string where = !play.shown ? session.text("motion.at_rest")
+                                          : session.text("motion.moment", play.moment, moments_of(play.motion));
     same_line_if_fits(ImGui::CalcTextSize(where.c_str()).x);
     ImGui::TextColored(quiet_text(), "%s", where.c_str());
     describe_item(session, "moment", "", where);
@@ -238,8 +236,8 @@ News MotionTab::take_news(Session &session) {
     const News sequence = sequence_job_ ? sequence_job_->job().take_news() : News::none;
     if (sequence == News::result) {
         session.message = sequence_job_->job().state() == JobState::failed
-                              ? Message{"Not captured: " + sequence_job_->job().error(), true}
-                              : Message{"Captured to " + sequence_job_->take_result().string(), false};
+                              ? Message{session.text("message.not_captured") + sequence_job_->job().error(), true}
+                              : Message{session.text("message.captured", sequence_job_->take_result().string()), false};
         sequence_job_.reset();
     }
     return std::max(news, sequence);

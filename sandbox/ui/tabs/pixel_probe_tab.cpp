@@ -83,20 +83,21 @@ void PixelProbeTab::table(Session &session, const PixelFindings &found) {
     ImGui::TableSetupColumn("");
     ImGui::TableSetupColumn("A");
     ImGui::TableSetupColumn("B");
-    ImGui::TableSetupColumn(two_truths ? "truth of A" : "truth");
+    ImGui::TableSetupColumn(session.text(two_truths ? "probe.truth_of_a" : "truth").c_str());
     if (two_truths) {
-        ImGui::TableSetupColumn("truth of B");
+        ImGui::TableSetupColumn(session.text("probe.truth_of_b").c_str());
     }
     ImGui::TableHeadersRow();
-    for (const ProbeRow &row : probe_rows(found)) {
+    for (const ProbeRow &row : probe_rows(session.words, found)) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
-        ImGui::TextColored(quiet_text(), "%s", row.title.c_str());
+        ImGui::TextColored(quiet_text(), "%s", row.title.shown.c_str());
         for (std::size_t side = 0; side + 1 < static_cast<std::size_t>(columns); ++side) {
             ImGui::TableNextColumn();
             ImGui::TextUnformatted(row.values[side].c_str());
-            describe_item(session, fmt::format("{}/{}", std::array{"A", "B", "truth", "truth of B"}[side], row.title),
-                          "", row.values[side]);
+            describe_item(session,
+                          fmt::format("{}/{}", std::array{"A", "B", "truth", "truth of B"}[side], row.title.name), "",
+                          row.values[side]);
         }
     }
     ImGui::EndTable();
@@ -105,20 +106,18 @@ void PixelProbeTab::table(Session &session, const PixelFindings &found) {
 void PixelProbeTab::draw(Session &session, ViewPainter &) {
     const PixelFindings *found = session.pixel.get();
     if (found == nullptr || !(*found)[Probed::truth_of_a]) {
-        wrapped_text(quiet_text(), found == nullptr
-                                       ? "Move the mouse over a picture; a click pins a pixel, a second one lets it go."
-                                       : "This pixel shows the background.");
+        wrapped_text(quiet_text(), session.text(found == nullptr ? "probe.about" : "probe.background"));
         return;
     }
-    if (button(session, "copy", "Copies the table as text.")) {
-        ImGui::SetClipboardText(probe_text(*found).c_str());
-        session.message = {"Copied.", false};
+    if (button(session, session.label("copy"), session.text("probe.copy.help"))) {
+        ImGui::SetClipboardText(probe_text(session.words, *found).c_str());
+        session.message = {session.text("message.copied"), false};
     }
     for (const bool right : {false, true}) {
         const auto &side = (*found)[right ? Probed::b : Probed::a];
         const auto &truth = (*found)[right ? Probed::truth_of_b : Probed::truth_of_a];
-        const std::string worst = side && truth ? worst_term(*side, *truth) : "";
-        const std::string text = worst.empty() ? "every term is right to a level of 8 bits" : worst;
+        const std::string worst = side && truth ? worst_term(session.words, *side, *truth) : "";
+        const std::string text = worst.empty() ? session.text("probe.right") : worst;
         if (right) {
             same_line_if_fits(ImGui::CalcTextSize(text.c_str()).x + ImGui::GetFontSize() * 2);
         } else {

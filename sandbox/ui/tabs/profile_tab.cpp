@@ -19,15 +19,13 @@ namespace sandbox {
 
 namespace {
 
-constexpr std::array curve_names{"A", "B", "truth"};
-
 template <class Color> double luminance(const Color &c) { // of linear Rec. 709
     return 0.2126 * static_cast<double>(c.r) + 0.7152 * static_cast<double>(c.g) + 0.0722 * static_cast<double>(c.b);
 }
 
 /// The luminance along one row of the pictures; empty: not known.
 using Curve = std::vector<double>;
-using Curves = std::array<Curve, curve_names.size()>;
+using Curves = std::array<Curve, 3>; ///< of A, B and the truth
 
 Curve curve_of(const Image *image, int row) {
     Curve curve;
@@ -105,7 +103,7 @@ void ProfileTab::choose_term(Session &session) {
     const bool highlights =
         reflection(session.document.left.model).specular || reflection(session.document.right.model).specular;
     term_ = !highlights && term_ == term_names[2] ? "" : term_;
-    if (toggle_button(session, "colour", term_.empty(), "As A and B are drawn.")) {
+    if (toggle_button(session, session.label("profile.colour"), term_.empty(), session.text("profile.colour.help"))) {
         term_ = "";
     }
     for (const std::string_view term : term_names) {
@@ -113,8 +111,8 @@ void ProfileTab::choose_term(Session &session) {
             continue;
         }
         ImGui::SameLine(0, 2);
-        if (toggle_button(session, std::string(term), term_ == term,
-                          "What this term adds, summed over the lights: in double, under each technique.")) {
+        if (toggle_button(session, session.label(fmt::format("term.{}", term)), term_ == term,
+                          session.text("profile.term.help"))) {
             term_ = term;
         }
     }
@@ -173,19 +171,20 @@ void ProfileTab::draw(Session &session, ViewPainter &painter) {
                             ImGui::GetColorU32(ImGuiCol_Text)};
     const float em = ImGui::GetFontSize();
     const auto at = session.view.hovered_pixel;
+    const std::array<Label, 3> labels{"A", "B", session.label("truth")};
     for (std::size_t i = 0; i < curves.size(); ++i) {
         const auto column = at ? static_cast<std::size_t>(at->x * static_cast<double>(curves[i].size())) : 0;
         const std::string value = at && column < curves[i].size() ? fmt::format("  {:.3f}", curves[i][column]) : "";
         const std::string text =
-            curves[i].empty() ? fmt::format("{}: not known yet", curve_names[i]) : curve_names[i] + value;
+            curves[i].empty() ? session.text("profile.unknown", labels[i].shown) : labels[i].shown + value;
         same_line_if_fits(ImGui::CalcTextSize(text.c_str()).x);
         ImGui::AlignTextToFramePadding();
         ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(colors[i]), "%s", text.c_str());
-        describe_item(session, curve_names[i], "", text);
+        describe_item(session, labels[i].name, "", text);
     }
     const std::string what = term_.empty()
-                                 ? fmt::format("luminance of row {}; drag the line", row)
-                                 : fmt::format("{} in double, luminance of row {}; drag the line", term_, row);
+                                 ? session.text("profile.row", row)
+                                 : session.text("profile.term_row", session.text(fmt::format("term.{}", term_)), row);
     same_line_if_fits(ImGui::CalcTextSize(what.c_str()).x);
     ImGui::TextColored(quiet_text(), "%s", what.c_str());
     describe_item(session, "what", "", what);

@@ -17,26 +17,24 @@ namespace {
 
 constexpr float loupe_share = 1.0F / 6; // of the picture's width that the loupe shows
 
-void story_line(const char *name, const std::string &text) {
-    ImGui::TextColored(quiet_text(), "%s", name);
+void story_line(const std::string &name, const std::string &text) {
+    ImGui::TextColored(quiet_text(), "%s", name.c_str());
     ImGui::SameLine(ImGui::GetFontSize() * 5);
     wrapped_text(ImGui::GetStyleColorVec4(ImGuiCol_Text), text);
 }
 
 /// What A and B show.
-std::string views_text(const StabilityCase &definition) {
+std::string views_text(const Words &words, const StabilityCase &definition) {
     const bool half = definition.textbook_target == TextbookTarget::half;
-    return (definition.textbook ? "A: what people write, drawn by the renderer."
-                                : "A: a textbook's equation in float32 on the processor.") +
-           std::string(half ? " Only the picture here keeps it in half floats." : "") + "  B: robust.";
+    return words.text(definition.textbook ? "stability.a_renderer" : "stability.a_processor") +
+           (half ? words.text("stability.half_here") : "") + words.text("stability.b_robust");
 }
 
-void failed_rows(const StabilityResult &result) {
+void failed_rows(const Words &words, const StabilityResult &result) {
     for (const StabilityRow &row : result.rows) {
         if (!row.passed) {
-            wrapped_text(error_text(),
-                         fmt::format("{}: error {}, {} of its pixels not finite", to_string(row.technique),
-                                     short_number(row.error), row.metrics.nonfinite_pixels));
+            wrapped_text(error_text(), words.format("stability.failed_row", to_string(row.technique),
+                                                    short_number(row.error), row.metrics.nonfinite_pixels));
         }
     }
 }
@@ -61,8 +59,9 @@ struct Caption {
     ImVec4 color;
 };
 
-Caption caption(const char *form, Verdict verdict, const StabilityRow &row) {
-    return {std::string(form) + " " + verdict_word(verdict), error_words(row), verdict_color(verdict)};
+Caption caption(const Words &words, std::string_view form, Verdict verdict, const StabilityRow &row) {
+    return {words.format("stability.caption", words.text(form), verdict_word(words, verdict)), error_words(words, row),
+            verdict_color(verdict)};
 }
 
 void picture(const DisplayTexture &shown, const Caption &caption, float side) {
@@ -86,7 +85,7 @@ float picture_side(float room, int width) {
 
 } // namespace
 
-void StabilityDetails::pictures(const ListedCase &listed) {
+void StabilityDetails::pictures(const Words &words, const ListedCase &listed) {
     const StabilityResult &result = *listed.result;
     const std::array<const ByteImage *, 3> images{&result.textbook_image, &result.robust_image,
                                                   &result.reference_image};
@@ -95,9 +94,11 @@ void StabilityDetails::pictures(const ListedCase &listed) {
             pictures_[i].emplace(*images[i]);
         }
     }
-    const std::array<Caption, 3> captions{caption("textbook", textbook_verdict(listed), result.textbook),
-                                          caption("robust", robust_verdict(listed), result.worst()),
-                                          Caption{"reference", "in double", ImGui::GetStyleColorVec4(ImGuiCol_Text)}};
+    const std::array<Caption, 3> captions{
+        caption(words, "stability.textbook", textbook_verdict(listed), result.textbook),
+        caption(words, "stability.robust", robust_verdict(listed), result.worst()),
+        Caption{words.text("stability.reference"), words.text("stability.in_double"),
+                ImGui::GetStyleColorVec4(ImGuiCol_Text)}};
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float room = (ImGui::GetContentRegionAvail().x - 2 * gap) / 3 - 2; // less the border
     const float side = picture_side(room, images[0]->size.width);
@@ -109,28 +110,28 @@ void StabilityDetails::pictures(const ListedCase &listed) {
     }
 }
 
-void StabilityDetails::draw(const ListedCase &listed) {
+void StabilityDetails::draw(const Session &session, const ListedCase &listed) {
+    const Words &words = session.words;
     const StabilityCase &definition = listed.definition;
     ImGui::TextUnformatted(definition.name.c_str());
     if (listed.result) {
-        pictures(listed);
-        failed_rows(*listed.result);
+        pictures(session.words, listed);
+        failed_rows(session.words, *listed.result);
     } else {
-        wrapped_text(quiet_text(), "Not run yet: \"Run this case\" shows textbook, robust and reference beside each "
-                                   "other, and judges them.");
+        wrapped_text(quiet_text(), words.text("stability.not_run"));
     }
     if (textbook_verdict(listed) == Verdict::holds) {
-        story_line("Here", seen_on_words(definition));
+        story_line(words.text("stability.here"), seen_on_words(words, definition));
     }
-    story_line("Symptom", definition.symptom);
-    story_line("Cause", definition.cause);
-    story_line("Met in", definition.source);
-    story_line("Bound", bound_words(definition));
-    if (const std::string cost = listed.result ? cost_words(*listed.result) : ""; !cost.empty()) {
-        story_line("Cost", cost);
+    story_line(words.text("stability.symptom"), definition.symptom);
+    story_line(words.text("stability.cause"), definition.cause);
+    story_line(words.text("stability.met_in"), definition.source);
+    story_line(words.text("stability.bound"), bound_words(words, definition));
+    if (const std::string cost = listed.result ? cost_words(words, *listed.result) : ""; !cost.empty()) {
+        story_line(words.text("stability.cost_title"), cost);
     }
-    story_line("Textbook", textbook_words(definition));
-    story_line("Views", views_text(definition));
+    story_line(words.text("stability.textbook_title"), textbook_words(words, definition));
+    story_line(words.text("stability.views"), views_text(words, definition));
 }
 
 } // namespace sandbox

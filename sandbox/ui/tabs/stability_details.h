@@ -2,6 +2,7 @@
 
 #include "render/target.h"
 #include "ui/jobs/stability_list.h"
+#include "ui/session/session.h"
 
 #include <array>
 #include <optional>
@@ -12,12 +13,12 @@ namespace sandbox {
 class StabilityDetails {
   public:
     /// In the current ImGui window.
-    void draw(const ListedCase &listed);
+    void draw(const Session &session, const ListedCase &listed);
     /// The pictures are made anew: another case was chosen, or this one was run again.
     void forget() { pictures_ = {}; }
 
   private:
-    void pictures(const ListedCase &listed);
+    void pictures(const Words &words, const ListedCase &listed);
 
     std::array<std::optional<DisplayTexture>, 3> pictures_;
 };

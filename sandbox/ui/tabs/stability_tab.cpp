@@ -23,7 +23,7 @@ class StabilityTab final : public TabContent {
   public:
     explicit StabilityTab(const DrawingSupplies &supplies)
         : supplies_(supplies), cases_(list_cases(stability_cases())), groups_(groups_of(cases_)) {
-        groups_.insert(groups_.begin(), "all groups");
+        groups_.insert(groups_.begin(), ""); // all
     }
     void draw(Session &session, ViewPainter &painter) override;
     News take_news(Session &session) override;
@@ -38,7 +38,7 @@ class StabilityTab final : public TabContent {
 
     void run_buttons(Session &session);
     void filter_controls(Session &session);
-    void story(ImVec2 size);
+    void story(const Session &session, ImVec2 size);
 
     DrawingSupplies supplies_;
     std::vector<ListedCase> cases_;
@@ -93,10 +93,12 @@ News StabilityTab::take_news(Session &session) {
 /// Says how the job ended.
 void StabilityTab::finish(Session &session) {
     if (job_->job().state() == JobState::failed) {
-        failure_ = "Stopped: " + job_->job().error();
+        failure_ = session.text("stability.stopped") + job_->job().error();
         session.message = {failure_, true};
     } else {
-        session.message = {(job_->job().cancelled() ? "Cancelled: " : "") + summary(cases_) + ".", false};
+        session.message = {session.text(job_->job().cancelled() ? "stability.cancelled" : "stability.done",
+                                        summary(session.words, cases_)),
+                           false};
     }
     job_.reset();
 }
@@ -129,30 +131,29 @@ void StabilityTab::open(Session &session, ViewPainter &painter, std::size_t numb
 }
 
 void StabilityTab::export_files(Session &session) const {
-    attempt(session, "Not exported: ", [&] {
-        const StabilityRun run{results_of(cases_), supplies_.by.renderer, SANDBOX_VERSION};
+    attempt(session, session.text("message.not_exported"), [&] {
+        const StabilityRun run{results_of(cases_), supplies_.by.renderer, SANDBOX_VERSION, session.words};
         const bool all = run.results.size() == cases_.size();
-        session.message = {fmt::format("Exported {} to {}", all ? "all cases" : "the cases that were run",
-                                       export_stability(run).string()),
-                           false};
+        session.message = {
+            session.text(all ? "stability.exported" : "stability.exported_some", export_stability(run).string()),
+            false};
     });
 }
 
 void StabilityTab::run_buttons(Session &session) {
-    if (button(session, "Run all",
-               "Draws every case and judges it against the reference in double precision; takes some ten seconds.")) {
+    if (button(session, session.label("stability.run_all"), session.text("stability.run_all.help"))) {
         start(true);
     }
     ImGui::SameLine();
     ImGui::BeginDisabled(!chosen_);
-    if (button(session, "Run this case", "Runs the case that is selected in the list.")) {
+    if (button(session, session.label("stability.run"), session.text("stability.run.help"))) {
         start(false);
     }
     ImGui::EndDisabled();
     ImGui::SameLine();
     const bool any = std::ranges::any_of(cases_, [](const ListedCase &listed) { return listed.result.has_value(); });
     ImGui::BeginDisabled(!any);
-    if (button(session, "Export", "Writes stability.html, stability.json and stability.csv into a new folder.")) {
+    if (button(session, session.label("export"), session.text("stability.export.help"))) {
         export_files(session);
     }
     ImGui::EndDisabled();
@@ -168,28 +169,28 @@ void StabilityTab::filter_controls(Session &session) {
         filter_.group = group_ == 0 ? "" : groups_[group_];
     }
     same_line_if_fits(em * 10);
-    checkbox(session, "textbook breaks", filter_.textbook_breaks,
-             "Lists only the cases that were run and whose textbook form broke the bound.");
+    checkbox(session, session.label("stability.filter"), filter_.textbook_breaks,
+             session.text("stability.filter.help"));
     if (before_ && shows_a_case(session, cases_)) {
-        const std::string back = "Back to " + before_->opened->name;
-        same_line_if_fits(button_width(back));
-        if (button(session, back, "Opens what was open before the first case (Ctrl+Z goes back step by step).")) {
+        const Label back = session.label("stability.back", before_->opened->name);
+        same_line_if_fits(button_width(back.shown));
+        if (button(session, back, session.text("stability.back.help"))) {
             show_document(session, *before_);
             before_.reset();
         }
     }
 }
 
-void StabilityTab::story(ImVec2 size) {
+void StabilityTab::story(const Session &session, ImVec2 size) {
     if (ImGui::BeginChild("story", size)) {
         if (std::ranges::none_of(cases_, [this](const ListedCase &listed) { return is_shown(listed, filter_); })) {
-            wrapped_text(ImGui::GetStyleColorVec4(ImGuiCol_Text), "No case that was run matches this filter.");
+            wrapped_text(ImGui::GetStyleColorVec4(ImGuiCol_Text), session.text("stability.no_match"));
         }
         if (chosen_) {
-            details_.draw(cases_[*chosen_]);
+            details_.draw(session, cases_[*chosen_]);
         } else {
-            wrapped_text(quiet_text(), summary(cases_));
-            wrapped_text(quiet_text(), "Click a case to open it: A shows the textbook's form, B this program's.");
+            wrapped_text(quiet_text(), summary(session.words, cases_));
+            wrapped_text(quiet_text(), session.text("stability.about"));
         }
     }
     ImGui::EndChild();
@@ -218,7 +219,7 @@ void StabilityTab::draw(Session &session, ViewPainter &painter) {
     if (beside) {
         ImGui::SameLine();
     }
-    story({width, height});
+    story(session, {width, height});
 }
 
 } // namespace

@@ -22,9 +22,9 @@ bool row(Session &session, const ListedCase &listed, bool chosen, bool wide) {
         ImGui::TextUnformatted(listed.definition.symptom.c_str());
     }
     ImGui::TableNextColumn();
-    ImGui::TextColored(verdict_color(textbook_verdict(listed)), "%s", textbook_text(listed).c_str());
+    ImGui::TextColored(verdict_color(textbook_verdict(listed)), "%s", textbook_text(session.words, listed).c_str());
     ImGui::TableNextColumn();
-    ImGui::TextColored(verdict_color(robust_verdict(listed)), "%s", robust_text(listed).c_str());
+    ImGui::TextColored(verdict_color(robust_verdict(listed)), "%s", robust_text(session.words, listed).c_str());
     if (wide) {
         ImGui::TableNextColumn();
         ImGui::TextUnformatted(cost_text(listed).c_str());
@@ -62,19 +62,23 @@ std::optional<std::size_t> case_table(Session &session, const std::vector<Listed
     }
     ImGui::TableSetupScrollFreeze(0, 1);
     if (wide) {
-        ImGui::TableSetupColumn("case", ImGuiTableColumnFlags_WidthFixed, em * 13);
-        ImGui::TableSetupColumn("symptom", ImGuiTableColumnFlags_WidthStretch);
+        ImGui::TableSetupColumn(session.text("stability.column.case").c_str(), ImGuiTableColumnFlags_WidthFixed,
+                                em * 13);
+        ImGui::TableSetupColumn(session.text("stability.column.symptom").c_str(), ImGuiTableColumnFlags_WidthStretch);
     } else {
-        ImGui::TableSetupColumn("case", ImGuiTableColumnFlags_WidthStretch);
+        ImGui::TableSetupColumn(session.text("stability.column.case").c_str(), ImGuiTableColumnFlags_WidthStretch);
     }
-    ImGui::TableSetupColumn("textbook", ImGuiTableColumnFlags_WidthFixed, std::min(em * 9.8F, size.x * 0.38F));
-    ImGui::TableSetupColumn("robust", ImGuiTableColumnFlags_WidthFixed, std::min(em * 7, size.x * 0.27F));
+    ImGui::TableSetupColumn(session.text("stability.column.textbook").c_str(), ImGuiTableColumnFlags_WidthFixed,
+                            std::min(em * 9.8F, size.x * 0.38F));
+    ImGui::TableSetupColumn(session.text("stability.column.robust").c_str(), ImGuiTableColumnFlags_WidthFixed,
+                            std::min(em * 7, size.x * 0.27F));
     if (wide) {
-        ImGui::TableSetupColumn("cost", ImGuiTableColumnFlags_WidthFixed, em * 3);
+        ImGui::TableSetupColumn(session.text("stability.column.cost").c_str(), ImGuiTableColumnFlags_WidthFixed,
+                                em * 3);
     }
     ImGui::TableHeadersRow();
     std::optional<std::size_t> clicked;
-    for (const CaseList &list : lists_of(cases, filter)) {
+    for (const CaseList &list : lists_of(session.words, cases, filter)) {
         if (!list.title.empty()) {
             title_row(list.title);
         }

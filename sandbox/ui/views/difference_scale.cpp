@@ -47,8 +47,9 @@ void difference_scale(const Session &session, const Rect &picture) {
     const float top = picture.high.y - em * 2.6F;
     const Rect bar{{middle - half, top}, {middle + half, top + em}};
     ImDrawList &list = *ImGui::GetWindowDrawList();
-    const auto [first, second] = names_of(session.view.difference_of);
-    const std::string left = fmt::format("{} brighter", second), right = fmt::format("{} brighter", first);
+    const auto [first, second] = names_of(session.words, session.view.difference_of);
+    const std::string left = session.text("difference.brighter", second),
+                      right = session.text("difference.brighter", first);
     const float gap = em * 0.7F;
     const float wider = std::max(ImGui::CalcTextSize(left.c_str()).x, ImGui::CalcTextSize(right.c_str()).x) + gap * 2;
     list.AddRectFilled({bar.low.x - wider, top - em * 0.4F}, {bar.high.x + wider, picture.high.y},
@@ -69,31 +70,30 @@ void difference_controls(Session &session, const ViewPainter &painter, const Rec
     const float middle = (picture.low.x + picture.high.x) / 2;
     ImGui::SetCursorScreenPos(
         {std::max(picture.low.x + 6, middle - em * 19), picture.high.y + ImGui::GetFrameHeight()});
-    constexpr std::pair<DifferenceOf, const char *> choices[] = {{DifferenceOf::a_b, "A \xE2\x88\x92 B"},
-                                                                 {DifferenceOf::a_truth, "A \xE2\x88\x92 truth"},
-                                                                 {DifferenceOf::b_truth, "B \xE2\x88\x92 truth"}};
+    constexpr std::pair<DifferenceOf, std::string_view> choices[] = {{DifferenceOf::a_b, "difference.a_b"},
+                                                                     {DifferenceOf::a_truth, "difference.a_truth"},
+                                                                     {DifferenceOf::b_truth, "difference.b_truth"}};
     for (const auto &[of, name] : choices) {
-        if (toggle_button(session, name, session.view.difference_of == of,
-                          "The truth is the double-precision reference of that side's model.")) {
+        if (toggle_button(session, session.label(name), session.view.difference_of == of,
+                          session.text("difference.of.help"))) {
             session.view.difference_of = of;
         }
         ImGui::SameLine(0, 2);
     }
     ImGui::SameLine();
-    ImGui::TextUnformatted("gain");
+    ImGui::TextUnformatted(session.text("difference.gain").c_str());
     ImGui::SameLine();
     ImGui::SetNextItemWidth(em * 7);
-    slider(session, {"gain", gain_range, "Multiplies the difference before it is coloured."}, session.view.gain,
-           ViewSettings{}.gain);
+    slider(session, row_of(session, "difference.gain", gain_range), session.view.gain, ViewSettings{}.gain);
     ImGui::SameLine();
     const double largest = painter.largest_difference();
-    if (button(session, "fit", "The gain at which the largest difference reaches the end of the scale.") &&
-        largest > 0 && std::isfinite(largest)) {
+    if (button(session, session.label("difference.fit"), session.text("difference.fit.help")) && largest > 0 &&
+        std::isfinite(largest)) {
         session.view.gain = nearest_accepted(1 / largest, gain_range);
     }
     ImGui::SameLine();
     const bool edges = session.view.difference_of != DifferenceOf::a_b && std::isfinite(largest) && largest > 0;
-    const std::string text = difference_text(largest) + (edges ? ", edges included" : "");
+    const std::string text = difference_text(session.words, largest) + (edges ? session.text("difference.edges") : "");
     ImGui::TextColored(std::isfinite(largest) ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : error_text(), "%s",
                        painter.difference_texture() != 0 ? text.c_str() : "");
     describe_item(session, "largest", "", text);

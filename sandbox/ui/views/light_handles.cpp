@@ -66,12 +66,13 @@ void draw_light(Session &session, const LightMark &light, const Rect &picture) {
     constexpr auto radius = static_cast<float>(lamp_radius);
     list.AddCircleFilled(lamp, (radius + 0.12F) * em, dark);
     list.AddCircleFilled(lamp, radius * em, color);
-    if (!light.name.empty()) {
+    if (light.named) {
+        const std::string shown_name = session.text("light.numbered", gizmo.light + 1);
         const ImVec2 beside{lamp.x + (radius + 0.6F) * em, lamp.y - 0.5F * em};
-        const float right = beside.x + ImGui::CalcTextSize(light.name.c_str()).x;
+        const float right = beside.x + ImGui::CalcTextSize(shown_name.c_str()).x;
         list.AddRectFilled({beside.x - 0.4F * em, beside.y - 0.1F * em}, {right + 0.4F * em, beside.y + 1.1F * em},
                            IM_COL32(0, 0, 0, 153), 0.6F * em);
-        list.AddText(beside, IM_COL32(255, 255, 255, 255), light.name.c_str());
+        list.AddText(beside, IM_COL32(255, 255, 255, 255), shown_name.c_str());
     }
     describe_handle(session, name, lamp);
     if (gizmo.turns && gizmo.to) {
@@ -94,8 +95,7 @@ void draw_lights(Session &session, const Rect &picture) {
         draw_light(session, light, picture);
     }
     if (session.view.drawn_over.lights && lights.empty()) {
-        draw_text_line(session, "lights", picture, picture.low.y, quiet_text(),
-                       "no lamp is in the picture: turn the wheel", false);
+        draw_text_line(session, "lights", picture, picture.low.y, quiet_text(), session.text("view.no_lamp"), false);
     }
     ImGui::GetWindowDrawList()->PopClipRect();
 }

@@ -2,9 +2,11 @@
 
 #include "capture/masks.h"
 #include "capture/picture.h"
+#include "measure/report/text.h"
 #include "ui/session/fault_names.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
+#include "words/row_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +27,17 @@ std::string longest_that_fits(const std::vector<std::string> &texts, float width
     return found == texts.end() ? texts.back() : *found;
 }
 
+/// Where the last word begins, with the space before it, or the last character of a text without spaces.
+std::size_t last_break(const std::string &text) {
+    std::size_t character = text.size() - 1;
+    while (character > 0 && (static_cast<unsigned char>(text[character]) & 0xC0U) == 0x80U) {
+        --character;
+    }
+    const std::size_t space = text.find_last_of(' ');
+    const bool is_word = static_cast<unsigned char>(text[character]) < 0x80;
+    return is_word && space != std::string::npos ? space : is_word && space == std::string::npos ? 0 : character;
+}
+
 /// With dots in place of the words that do not fit.
 std::string shortened(std::string text, float width) {
     const auto fits = [&](const std::string &t) { return ImGui::CalcTextSize(t.c_str()).x <= width; };
@@ -32,20 +45,19 @@ std::string shortened(std::string text, float width) {
         return text;
     }
     while (!text.empty() && !fits(text + " ...")) {
-        const auto last_word = text.find_last_of(' ');
-        text.erase(last_word == std::string::npos ? 0 : last_word);
+        text.erase(last_break(text));
     }
     return text + " ...";
 }
 
 /// "    attenuation per vertex, power: stable": what differs from the defaults, faults under people's names.
-std::string deviations(const Technique &technique) {
+std::string deviations(const Words &words, const Technique &technique) {
     std::string names;
     for (const TechniqueKey &key : technique_keys()) {
         if (const int value = key.get(technique); value != 0 && key.kind != TechniqueKey::Kind::choice) {
-            const std::string_view fault = fault_name(key, value);
-            names += names.empty() ? "    " : ", ";
-            names += fault.empty() ? title_of(key, value) : std::string(fault);
+            const std::string fault = fault_name(words, key, value);
+            names += names.empty() ? "    " : words.text("list.comma");
+            names += fault.empty() ? title_of(words, key, value) : fault;
         }
     }
     return names;
@@ -55,78 +67,82 @@ std::string deviations(const Technique &technique) {
 std::string side_name(const Session &session, bool right) {
     const Technique &technique = session.technique(right);
     const bool textbook = !right && session.document.left_is_textbook();
-    std::string text = textbook ? textbook_name(technique)
-                                : to_string(Technique{.frequency = technique.frequency, .model = technique.model});
-    if (const auto slash = text.find('/'); slash != std::string::npos) {
-        text.replace(slash, 1, " / ");
-    }
-    return (right ? "B   " : "A   ") + text + mesh_factor_note(session.document.mesh_factors[right ? 1 : 0]) +
-           (textbook ? "" : deviations(technique));
+    const Words &words = session.words;
+    const std::string model = name_of(words, model_key, model_key.get(technique));
+    const std::string text =
+        textbook ? words.format("caption.textbook", model)
+                 : fmt::format("{} / {}", name_of(words, frequency_key, frequency_key.get(technique)), model);
+    return (right ? "B   " : "A   ") + text +
+           mesh_factor_note(session.words, session.document.mesh_factors[right ? 1 : 0]) +
+           (textbook ? "" : deviations(session.words, technique));
 }
 
 /// In what A and B differ.
-std::string differing_keys(const Document &document) {
-    std::string names;
+std::string differing_keys(const Words &words, const Document &document) {
+    std::vector<std::string> names;
     for (const TechniqueKey &key : technique_keys()) {
         if (key.get(document.left) != key.get(document.right)) {
-            names += fmt::format("{}{}", names.empty() ? "" : ", ", key.title);
+            names.push_back(title_of(words, key));
         }
     }
     if (document.mesh_factors[0] != document.mesh_factors[1]) {
-        names += names.empty() ? "mesh" : ", mesh";
+        names.push_back(words.text("header.mesh"));
     }
-    return names;
+    return fmt::format("{}", fmt::join(names, words.text("list.comma")));
 }
 
 std::string header_text(const Session &session, const ViewPainter &painter) {
-    const std::string keys =
-        session.document.left_is_textbook() ? "A is a textbook's float32" : differing_keys(session.document);
+    const bool textbook = session.document.left_is_textbook();
+    const std::string keys = textbook ? "" : differing_keys(session.words, session.document);
     const Findings *findings = painter.findings();
     const bool equal = findings != nullptr && findings->apart == 0.0;
-    if (keys.empty()) {
-        return "A and B are the same technique";
+    if (!textbook && keys.empty()) {
+        return session.text("header.same");
     }
-    const std::string text =
-        session.document.left_is_textbook() ? keys + ", B is this program's" : "A and B differ in: " + keys;
-    return text + (equal                  ? "; their pictures are equal in every pixel"
-                   : session.same_picture ? "; both draw the same picture of this scene"
+    const std::string text = textbook ? session.text("header.textbook") : session.text("header.differ", keys);
+    return text + (equal                  ? session.text("header.equal")
+                   : session.same_picture ? session.text("header.same_picture")
                                           : "");
 }
 
-std::string level_word(int levels) { return levels == 1 ? "level" : "levels"; }
-
-/// The longest first.
-std::vector<std::string> error_texts(const SideFindings &side) {
-    const Metrics &metrics = *side.metrics;
-    const char *mark = side.estimate ? "  estimate" : "";
-    if (metrics.nonfinite_pixels > 0) {
-        return {
-            fmt::format("{} non-finite pixel{}", metrics.nonfinite_pixels, metrics.nonfinite_pixels == 1 ? "" : "s")};
-    }
-    if (std::isnan(metrics.norms.max_abs)) {
-        return {"error unknown: " + why_untrusted(metrics), "error unknown"};
-    }
-    const double most = metrics.norms.max_abs;
-    const int levels = metrics.max_levels.value_or(0);
-    const std::string max = levels == 0 ? fmt::format("{:.2g} (no level of 8 bits)", most)
-                                        : fmt::format("{:.2g} ({} {} of 8 bits)", most, levels, level_word(levels));
-    const std::string short_max = fmt::format("{:.2g} ({})", most, levels);
-    const double rmse = metrics.norms.rmse;
-    return {fmt::format("error against the truth: max {}, RMSE {:.2g}{}", max, rmse, mark),
-            fmt::format("error: max {}, RMSE {:.2g}{}", max, rmse, mark),
-            fmt::format("error: max {}, RMSE {:.2g}{}", short_max, rmse, mark),
-            fmt::format("max {}, RMSE {:.2g}{}", short_max, rmse, mark), fmt::format("max {:.2g}{}", most, mark)};
+std::string nonfinite_text(const Words &words, std::size_t pixels) {
+    return pixels == 1 ? words.text("caption.nonfinite_one") : words.format("caption.nonfinite", pixels);
 }
 
-std::string milliseconds_text(double ms) { return fmt::format("{:.{}f}", ms, ms < 10 ? 1 : 0); }
+/// The longest first.
+std::vector<std::string> error_texts(const Words &words, const SideFindings &side) {
+    const Metrics &metrics = *side.metrics;
+    if (metrics.nonfinite_pixels > 0) {
+        return {nonfinite_text(words, metrics.nonfinite_pixels)};
+    }
+    if (std::isnan(metrics.norms.max_abs)) {
+        return {words.format("caption.unknown_because", why_untrusted(words, metrics)), words.text("caption.unknown")};
+    }
+    const double most = metrics.norms.max_abs, rmse = metrics.norms.rmse;
+    const int levels = metrics.max_levels.value_or(0);
+    const std::string max = words.format(levels == 0   ? "caption.no_level"
+                                         : levels == 1 ? "caption.one_level"
+                                                       : "caption.levels",
+                                         most, levels);
+    const std::string short_max = fmt::format("{:.2g} ({})", most, levels);
+    std::vector<std::string> texts{words.format("caption.error_whole", max, rmse),
+                                   words.format("caption.error", max, rmse),
+                                   words.format("caption.error", short_max, rmse),
+                                   words.format("caption.figures", short_max, rmse), words.format("caption.max", most)};
+    for (std::string &text : texts) {
+        text += side.estimate ? words.text("caption.estimate") : "";
+    }
+    return texts;
+}
 
-std::vector<std::string> time_texts(const RunTime &time) {
-    const std::string median = milliseconds_text(time.median);
-    const std::string spread =
-        fmt::format("{} to {}", milliseconds_text(time.lower_quartile), milliseconds_text(time.upper_quartile));
-    return {fmt::format("run time: {} ms a frame (half of {} frames: {})", median, time.samples.size(), spread),
-            fmt::format("{} ms a frame ({})", median, spread), fmt::format("{} ms ({})", median, spread),
-            median + " ms"};
+std::string caption_milliseconds(double ms) { return fmt::format("{:.{}f}", ms, ms < 10 ? 1 : 0); }
+
+std::vector<std::string> time_texts(const Words &words, const RunTime &time) {
+    const std::string median = caption_milliseconds(time.median);
+    const std::string low = caption_milliseconds(time.lower_quartile), high = caption_milliseconds(time.upper_quartile);
+    return {words.format("caption.time_whole", median, time.samples.size(), low, high),
+            words.format("caption.time", median, low, high), words.format("caption.time_brief", median, low, high),
+            words.format("caption.ms", median)};
 }
 
 /// Under a picture, in two lines.
@@ -144,13 +160,12 @@ void draw_figures(Session &session, const ViewPainter &painter, const Rect &rect
     const ImVec4 plain = ImGui::GetStyleColorVec4(ImGuiCol_Text);
     if (view.nonfinite > 0) { // counted with every picture, also while something is dragged
         draw_text_line(session, name + "/error", rect, rect.high.y, error_text(),
-                       fmt::format("{} non-finite pixel{}", view.nonfinite, view.nonfinite == 1 ? "" : "s"),
-                       align_right);
+                       nonfinite_text(session.words, view.nonfinite), align_right);
     } else if (side != nullptr && side->metrics) {
         draw_text_line(session, name + "/error", rect, rect.high.y, side->estimate ? quiet_text() : plain,
-                       longest_that_fits(error_texts(*side), room), align_right);
+                       longest_that_fits(error_texts(session.words, *side), room), align_right);
     } else {
-        draw_text_line(session, name + "/error", rect, rect.high.y, quiet_text(), "error: not measured yet",
+        draw_text_line(session, name + "/error", rect, rect.high.y, quiet_text(), session.text("caption.not_measured"),
                        align_right);
     }
     if (!run_time) {
@@ -158,7 +173,16 @@ void draw_figures(Session &session, const ViewPainter &painter, const Rect &rect
     }
     const bool timed = session.appearance.run_times && side != nullptr && side->time;
     draw_text_line(session, name + "/time", rect, rect.high.y + line, plain,
-                   timed ? longest_that_fits(time_texts(*side->time), room) : "", align_right);
+                   timed ? longest_that_fits(time_texts(session.words, *side->time), room) : "", align_right);
+}
+
+/// Of built-in scenes in the window's language.
+std::string description_of(const Session &session) {
+    const Document &document = session.document;
+    const bool builtin = std::ranges::find(session.scenes, document.opened->name) != session.scenes.end();
+    return builtin
+               ? row_text(session.words, fmt::format("builtin.{}", document.opened->name), document.scene.description)
+               : document.scene.description;
 }
 
 } // namespace
@@ -183,7 +207,7 @@ void draw_header(Session &session, const ViewPainter &painter, ImVec2 corner, fl
     const Rect rect{corner, {corner.x + width, corner.y + 2 * line}};
     draw_text_line(session, "View/differ", rect, corner.y, ImGui::GetStyleColorVec4(ImGuiCol_Text),
                    header_text(session, painter), false);
-    const std::string &description = session.document.scene.description;
+    const std::string description = description_of(session);
     draw_text_line(session, "View/description", rect, corner.y + line, quiet_text(),
                    shortened(description, width - ImGui::GetFontSize()), false);
     if (ImGui::IsMouseHoveringRect({corner.x, corner.y + line}, rect.high)) {
@@ -206,7 +230,8 @@ void draw_captions(Session &session, const ViewPainter &painter, const Rect &pic
 void draw_truth_captions(Session &session, const Rect &picture, bool right) {
     draw_text_line(session, "Truth/name", picture, picture.low.y - ImGui::GetFrameHeight(),
                    ImGui::GetStyleColorVec4(ImGuiCol_Text),
-                   truth_label(session.technique(right), session.document.mesh_factors[right ? 1 : 0]), false);
+                   truth_label(session.words, session.technique(right), session.document.mesh_factors[right ? 1 : 0]),
+                   false);
 }
 
 void draw_mask_legend(const Session &session, const ViewPainter &painter, const Rect &picture, bool right,
@@ -217,8 +242,8 @@ void draw_mask_legend(const Session &session, const ViewPainter &painter, const 
     const Findings *findings = painter.findings();
     const SideFindings *side = findings != nullptr ? &findings->sides[right ? 1 : 0] : nullptr;
     const std::vector<LegendLine> lines = side == nullptr || !side->metrics || side->uses.empty()
-                                              ? std::vector<LegendLine>{{{}, "masks: not measured yet"}}
-                                              : mask_legend(*side->metrics);
+                                              ? std::vector<LegendLine>{{{}, session.text("mask.not_measured")}}
+                                              : mask_legend(session.words, *side->metrics);
     float widest = 0;
     for (const auto &[color, text] : lines) {
         widest = std::max(widest, ImGui::CalcTextSize(text.c_str()).x + (color ? ImGui::GetFontSize() * 1.2F : 0));

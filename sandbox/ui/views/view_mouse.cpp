@@ -77,9 +77,7 @@ std::string light_hint(const Session &session, const LightDrag &drag) {
     const std::vector<Light> &lights = session.document.scene.lights;
     const bool moves =
         drag.handle == LightHandle::lamp && drag.light < lights.size() && has_position(lights[drag.light]);
-    return fmt::format("Light {}: drag {}.", drag.light + 1,
-                       moves ? "it across the picture; it keeps its distance"
-                             : "to turn it; over the edge, it goes behind");
+    return session.text(moves ? "light.move.help" : "light.turn.help", drag.light + 1);
 }
 
 /// A click pins the pixel; one on the pinned pixel lets it go.

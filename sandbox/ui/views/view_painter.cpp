@@ -112,9 +112,6 @@ bool ViewPainter::paint_side(Side &side, const ViewKey &wanted, const DisplayMap
         is_drawn(wanted) ? std::nullopt : slow_picture(side, wanted, light ? std::nullopt : std::optional(display));
     // The textbook's last picture is shown while the next one is made, so that it follows what is dragged.
     const bool behind = side.awaited && wanted.textbook && side.textbook;
-    if (side.awaited && !behind && !side.drawn) {
-        side.shown.error = "The textbook's picture is being drawn.";
-    }
     if (side.awaited && !behind) {
         return false;
     }

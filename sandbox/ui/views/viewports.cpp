@@ -89,14 +89,19 @@ void draw_error(const Rect &rect, const std::string &text, bool whole) {
     list.PopClipRect();
 }
 
-void draw_view(const ViewPainter &painter, bool right, const Rect &rect, float from = 0, float to = 1) {
+std::string why_absent(const Session &session, const PaintedView &view) {
+    return view.error.empty() ? session.text("view.textbook_awaited") : view.error;
+}
+
+void draw_view(const Session &session, const ViewPainter &painter, bool right, const Rect &rect, float from = 0,
+               float to = 1) {
     const PaintedView &view = painter.view(right);
     if (view.texture != 0) {
         const unsigned masks = painter.mask_texture(right);
         draw_picture_part(rect, masks != 0 ? masks : view.texture, from, to);
     } else {
         const Rect part{{rect.low.x + rect.width() * from, rect.low.y}, {rect.low.x + rect.width() * to, rect.high.y}};
-        draw_error(part, view.error, true);
+        draw_error(part, why_absent(session, view), true);
     }
     if (!view.warning.empty()) {
         draw_error(rect, view.warning, false);
@@ -107,7 +112,7 @@ void draw_view(const ViewPainter &painter, bool right, const Rect &rect, float f
 void show_side_by_side(Session &session, const ViewPainter &painter, const Arrangement &arrangement) {
     for (const bool right : {false, true}) {
         const Rect rect = arrangement.column(right ? 1 : 0);
-        draw_view(painter, right, rect);
+        draw_view(session, painter, right, rect);
         draw_mask_legend(session, painter, rect, right, false);
         draw_captions(session, painter, rect, right, false);
     }
@@ -119,8 +124,8 @@ Rect right_half(const Rect &rect) { return {{(rect.low.x + rect.high.x) / 2, rec
 void show_wipe(Session &session, const ViewPainter &painter, const Rect &rect) {
     const float x = divider_x(session, rect);
     const float share = (x - rect.low.x) / rect.width();
-    draw_view(painter, false, rect, 0, share);
-    draw_view(painter, true, rect, share, 1);
+    draw_view(session, painter, false, rect, 0, share);
+    draw_view(session, painter, true, rect, share, 1);
     draw_mask_legend(session, painter, left_half(rect), false, false);
     draw_mask_legend(session, painter, right_half(rect), true, true);
     ImDrawList &list = *ImGui::GetWindowDrawList();
@@ -136,15 +141,15 @@ void show_wipe(Session &session, const ViewPainter &painter, const Rect &rect) {
 
 void show_flip(Session &session, const ViewPainter &painter, const Rect &rect) {
     const bool right = session.view.show_right;
-    draw_view(painter, right, rect);
+    draw_view(session, painter, right, rect);
     draw_mask_legend(session, painter, rect, right, false);
     draw_captions(session, painter, rect, right, false);
     draw_text_line(session, "View/hint", rect, rect.low.y - ImGui::GetFrameHeight(), quiet_text(),
-                   right ? "" : "hold Space for B", true);
+                   right ? "" : session.text("view.hold_space"), true);
 }
 
 void say_truth_is_awaited(Session &session, const Rect &rect) {
-    draw_text_line(session, "Truth/state", rect, rect.low.y, quiet_text(), "the truth is drawn when you let go", false);
+    draw_text_line(session, "Truth/state", rect, rect.low.y, quiet_text(), session.text("view.truth_awaited"), false);
 }
 
 /// The reference of A's model.
@@ -171,8 +176,8 @@ void show_difference(Session &session, const ViewPainter &painter, const Rect &r
     } else if (of != DifferenceOf::a_b && painter.view(of == DifferenceOf::b_truth).error.empty()) {
         say_truth_is_awaited(session, rect);
     } else {
-        const std::string &error = painter.view(false).error;
-        draw_error(rect, error.empty() ? painter.view(true).error : error, true);
+        const bool right = painter.view(false).error.empty() && !painter.view(true).error.empty();
+        draw_error(rect, why_absent(session, painter.view(right)), true);
     }
     difference_controls(session, painter, rect);
     if (of != DifferenceOf::b_truth) {
@@ -243,7 +248,7 @@ void viewports(Session &session, ViewPainter &painter) {
     show_layout(session, painter, arrangement);
     if (painter.awaited() != nullptr) {
         draw_text_line(session, "View/pending", arrangement.pictures, arrangement.pictures.low.y, quiet_text(),
-                       "the next picture is being made", true);
+                       session.text("view.pending"), true);
     }
     for (int i = 0; i < arrangement.columns; ++i) {
         draw_profile_line(session, arrangement.column(i));

@@ -1,59 +1,16 @@
 #include "ui/widgets/fonts.h"
 
-#include <cstdlib>
-#include <filesystem>
+#include "image/system_font.h"
+
 #include <imgui.h>
-#include <initializer_list>
 #include <optional>
-#include <string>
-#include <system_error>
-#include <vector>
+#include <utility>
 
 namespace sandbox {
 
 namespace {
 
-namespace fs = std::filesystem;
-
-std::vector<fs::path> font_folders() {
-    std::vector<fs::path> folders;
-    if (const char *home = std::getenv("HOME")) {
-        folders.push_back(fs::path(home) / ".local/share/fonts");
-        folders.push_back(fs::path(home) / ".fonts");
-    }
-    folders.insert(folders.end(), {"/usr/local/share/fonts", "/usr/share/fonts"});
-    return folders;
-}
-
-/// All font files below the usual folders; skips folders that cannot be read.
-std::vector<fs::path> font_files() {
-    std::vector<fs::path> files;
-    for (const fs::path &folder : font_folders()) {
-        std::error_code error;
-        fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, error);
-        while (!error && at != fs::recursive_directory_iterator()) {
-            if (at->path().extension() == ".ttf") {
-                files.push_back(at->path());
-            }
-            at.increment(error);
-        }
-    }
-    return files;
-}
-
-std::optional<fs::path> find_font(const std::vector<fs::path> &files, std::initializer_list<const char *> names) {
-    for (const char *name : names) {
-        for (const fs::path &file : files) {
-            std::error_code error;
-            if (file.filename() == name && fs::file_size(file, error) > 0 && !error) {
-                return file;
-            }
-        }
-    }
-    return std::nullopt;
-}
-
-void add_font(const std::optional<fs::path> &file, float pixels) {
+void add_font(const std::optional<FontFile> &file, float pixels) {
     ImFontAtlas &atlas = *ImGui::GetIO().Fonts;
     if (!file) {
         ImFontConfig config;
@@ -68,23 +25,54 @@ void add_font(const std::optional<fs::path> &file, float pixels) {
     config.OversampleH = 2;
     config.OversampleV = 1;
     config.PixelSnapH = true;
-    atlas.AddFontFromFileTTF(file->c_str(), pixels, &config, glyphs);
+    atlas.AddFontFromFileTTF(file->path.c_str(), pixels, &config, glyphs);
+}
+
+/// Into the font that was added last. `ranges` must live until the atlas is built.
+void merge_chinese(float pixels, const ImVector<ImWchar> &ranges) {
+    ImFontConfig config;
+    config.MergeMode = true;
+    config.FontNo = chinese_font()->index;
+    config.OversampleH = 1;
+    config.PixelSnapH = true;
+    ImGui::GetIO().Fonts->AddFontFromFileTTF(chinese_font()->path.c_str(), pixels, &config, ranges.Data);
 }
 
 } // namespace
 
-void load_fonts(float scale) {
+void load_fonts(float scale, const std::set<char32_t> &chinese) {
     ImFontAtlas &atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
     atlas.Flags |= ImFontAtlasFlags_NoPowerOfTwoHeight;
-    const std::vector<fs::path> files = font_files();
-    const auto text = find_font(files, {"NotoSans-Regular.ttf", "DejaVuSans.ttf", "LiberationSans-Regular.ttf",
-                                        "FreeSans.ttf", "Ubuntu-R.ttf"});
-    add_font(text, 16 * scale);
-    add_font(find_font(files, {"NotoSansMono-Regular.ttf", "DejaVuSansMono.ttf", "LiberationMono-Regular.ttf",
-                               "FreeMono.ttf", "UbuntuMono-R.ttf"}),
-             15 * scale);
-    add_font(text, 24 * scale);
+    ImVector<ImWchar> ranges;
+    ImFontGlyphRangesBuilder builder;
+    for (const char32_t character : chinese) {
+        if (character <= IM_UNICODE_CODEPOINT_MAX) {
+            builder.AddChar(static_cast<ImWchar>(character));
+        }
+    }
+    builder.BuildRanges(&ranges);
+    const bool merges = !chinese.empty() && chinese_font();
+    const auto add = [&](const std::optional<FontFile> &file, float pixels) {
+        add_font(file, pixels);
+        if (merges) {
+            merge_chinese(pixels, ranges);
+        }
+    };
+    const auto text = find_font({{"NotoSans-Regular.ttf"},
+                                 {"DejaVuSans.ttf"},
+                                 {"LiberationSans-Regular.ttf"},
+                                 {"FreeSans.ttf"},
+                                 {"Ubuntu-R.ttf"}});
+    add(text, 16 * scale);
+    add(find_font({{"NotoSansMono-Regular.ttf"},
+                   {"DejaVuSansMono.ttf"},
+                   {"LiberationMono-Regular.ttf"},
+                   {"FreeMono.ttf"},
+                   {"UbuntuMono-R.ttf"}}),
+        15 * scale);
+    add(text, 24 * scale);
+    atlas.Build(); // while `ranges` lives
 }
 
 ImFont *code_font() { return ImGui::GetIO().Fonts->Fonts[1]; }

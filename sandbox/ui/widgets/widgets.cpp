@@ -272,7 +272,10 @@ void describe_text(Session &session, std::string_view name, ImVec2 low, ImVec2 h
 void row_label(const std::string &label) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(label.c_str());
-    ImGui::SameLine(ImGui::GetFontSize() * label_ems);
+    if (const float column = ImGui::GetFontSize() * label_ems;
+        ImGui::GetCursorStartPos().x + ImGui::CalcTextSize(label.c_str()).x < column) { // else the control stands below
+        ImGui::SameLine(column);
+    }
     ImGui::SetNextItemWidth(-1);
 }
 

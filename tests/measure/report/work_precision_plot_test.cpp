@@ -1,4 +1,5 @@
 #include "measure/report/work_precision_plot.h"
+#include "tools/english.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -32,7 +33,7 @@ const PlotSeries &series(const PlotRequest &plot, Frequency frequency) {
 }
 
 TEST(ErrorTimePlot, OneLineAFrequencyFromCoarseToFine) {
-    const PlotRequest plot = error_time_plot(measured(), Model::phong, ErrorNorm::rmse);
+    const PlotRequest plot = error_time_plot(english, measured(), Model::phong, ErrorNorm::rmse);
     ASSERT_EQ(plot.series.size(), all_frequencies.size());
     const auto &points = series(plot, Frequency::per_vertex).points;
     ASSERT_EQ(points.size(), 2U);
@@ -45,10 +46,12 @@ TEST(ErrorTimePlot, OneLineAFrequencyFromCoarseToFine) {
 }
 
 TEST(ErrorTimePlot, TheNormIsTheOneAskedFor) {
-    EXPECT_EQ(series(error_time_plot(measured(), Model::phong, ErrorNorm::p99), Frequency::per_pixel).points[0].y,
-              0.04);
-    EXPECT_EQ(series(error_time_plot(measured(), Model::phong, ErrorNorm::max), Frequency::per_pixel).points[0].y,
-              0.06);
+    EXPECT_EQ(
+        series(error_time_plot(english, measured(), Model::phong, ErrorNorm::p99), Frequency::per_pixel).points[0].y,
+        0.04);
+    EXPECT_EQ(
+        series(error_time_plot(english, measured(), Model::phong, ErrorNorm::max), Frequency::per_pixel).points[0].y,
+        0.06);
 }
 
 TEST(ErrorTimePlot, LeavesOutVariantsOtherModelsAndWhatHasNoNumbers) {
@@ -60,13 +63,13 @@ TEST(ErrorTimePlot, LeavesOutVariantsOtherModelsAndWhatHasNoNumbers) {
     m.rows.back().errors->total.nonfinite_pixels = 1;
     m.rows.push_back(row_of(0, Frequency::flat, 0.02, 3));
     m.rows.back().errors->total.compared_share = 0.49; // too little of its picture
-    for (const PlotSeries &one : error_time_plot(m, Model::phong, ErrorNorm::rmse).series) {
+    for (const PlotSeries &one : error_time_plot(english, m, Model::phong, ErrorNorm::rmse).series) {
         EXPECT_TRUE(one.points.empty()) << one.name;
     }
 }
 
 TEST(ErrorTimePlot, GuidesAreTheTolerances) {
-    const PlotRequest plot = error_time_plot(measured(), Model::phong, ErrorNorm::rmse);
+    const PlotRequest plot = error_time_plot(english, measured(), Model::phong, ErrorNorm::rmse);
     for (const double bound : error_bounds) {
         EXPECT_NE(std::ranges::find(plot.guides, bound, &PlotGuide::y), plot.guides.end()) << bound;
     }

@@ -1,3 +1,4 @@
+#include "tools/english.h"
 #include "ui/jobs/measured_rows.h"
 
 #include <gtest/gtest.h>
@@ -122,7 +123,7 @@ TEST(MeasuredRows, TellWhatTheyAre) {
     WorkPrecision m = measured_ball();
     m.rows[1].errors->total.norms.rmse = 0.0125;
     m.rows[1].errors->split.interpolation.rmse = 0.011;
-    const std::vector<std::string> lines = row_lines(m, 1);
+    const std::vector<std::string> lines = row_lines(english, m, 1);
     ASSERT_EQ(lines.size(), 6U);
     EXPECT_EQ(lines[0], "per-pixel/phong");
     EXPECT_EQ(lines[1], "8 rings, 200 triangles");
@@ -130,7 +131,7 @@ TEST(MeasuredRows, TellWhatTheyAre) {
     EXPECT_NE(lines[3].find("RMSE 0.0125"), std::string::npos) << lines[3];
     EXPECT_NE(lines[4].find("interpolation 0.0110"), std::string::npos) << lines[4];
     m.rows[1].time.reset();
-    EXPECT_EQ(row_lines(m, 1).size(), 5U);
+    EXPECT_EQ(row_lines(english, m, 1).size(), 5U);
 }
 
 } // namespace

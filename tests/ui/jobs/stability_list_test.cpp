@@ -1,6 +1,7 @@
 #include "ui/jobs/stability_list.h"
 
 #include "image/image_file.h"
+#include "tools/english.h"
 #include "tools/temporary_folder.h"
 #include "ui/session/session.h"
 #include "ui/session/written_files.h"
@@ -45,17 +46,17 @@ ListedCase judged(const StabilityCase &definition, StabilityRow textbook, Stabil
 
 TEST(StabilityList, SaysWhatIsKnown) {
     const ListedCase unknown{plain_case("spot", "cutoff-0"), std::nullopt};
-    EXPECT_EQ(textbook_text(unknown), "not run");
+    EXPECT_EQ(textbook_text(english, unknown), "not run");
     EXPECT_EQ(robust_verdict(unknown), Verdict::not_run);
 
     const ListedCase good = judged(unknown.definition, row(0.31, false), row(1.2e-6, true), row(2e-5, true));
-    EXPECT_EQ(textbook_text(good), "breaks, 0.310");
-    EXPECT_EQ(robust_text(good), "holds, 2.00e-05"); // the worst of its techniques
+    EXPECT_EQ(textbook_text(english, good), "breaks, 0.310");
+    EXPECT_EQ(robust_text(english, good), "holds, 2.00e-05"); // the worst of its techniques
     EXPECT_EQ(cost_text(good), "");
 
     const ListedCase bad = judged(unknown.definition, row(1e-6, true), row(1e-6, true), row(0, false, 3));
-    EXPECT_EQ(textbook_text(bad), "holds, 1.00e-06");
-    EXPECT_EQ(robust_text(bad), "breaks, 3 not finite");
+    EXPECT_EQ(textbook_text(english, bad), "holds, 1.00e-06");
+    EXPECT_EQ(robust_text(english, bad), "breaks, 3 not finite");
 }
 
 TEST(StabilityList, CostsAreRatios) {
@@ -67,16 +68,16 @@ TEST(StabilityList, CostsAreRatios) {
 TEST(StabilityList, SumsUp) {
     const StabilityCase of = plain_case("spot", "cutoff-0");
     std::vector<ListedCase> cases = list_cases({of, of, of});
-    EXPECT_EQ(summary(cases), "3 cases, none run yet");
+    EXPECT_EQ(summary(english, cases), "3 cases, none run yet");
     cases[0] = judged(of, row(1, false), row(0, true), row(0, true));
     cases[1] = cases[0];
     cases[0] = judged(of, row(0, true), row(0, true), row(0, true));
     cases[2] = cases[0];
-    EXPECT_EQ(summary({cases[0], cases[2]}), "2 of 2 run: robust holds in all, the textbook breaks in none");
+    EXPECT_EQ(summary(english, {cases[0], cases[2]}), "2 of 2 run: robust holds in all, the textbook breaks in none");
     cases[2].result.reset();
-    EXPECT_EQ(summary(cases), "2 of 3 run: robust holds in all, the textbook breaks in 1");
+    EXPECT_EQ(summary(english, cases), "2 of 3 run: robust holds in all, the textbook breaks in 1");
     cases[2] = judged(of, row(0, true), row(0, true), row(1, false));
-    EXPECT_EQ(summary(cases), "3 of 3 run: robust breaks in 1, the textbook breaks in 1");
+    EXPECT_EQ(summary(english, cases), "3 of 3 run: robust breaks in 1, the textbook breaks in 1");
     EXPECT_EQ(results_of(cases).size(), 3U);
 }
 
@@ -105,7 +106,7 @@ TEST(StabilityList, ListsByWhetherTheTextbookBreaks) {
     const ListedCase sound = judged(plain_case("display", "c"), row(0, true), row(0, true), row(0, true));
     const auto titles = [](const std::vector<ListedCase> &cases, const CaseFilter &filter) {
         std::string all;
-        for (const CaseList &list : lists_of(cases, filter)) {
+        for (const CaseList &list : lists_of(english, cases, filter)) {
             all += list.title + "; ";
         }
         return all;
@@ -114,7 +115,7 @@ TEST(StabilityList, ListsByWhetherTheTextbookBreaks) {
                                                            "Not run yet: 1; Nothing breaks on this renderer: 2; ");
     EXPECT_EQ(titles({sound, broken}, {"display", false}), "Nothing breaks on this renderer: 1; ");
     EXPECT_EQ(titles({unknown, unknown}, {}), "; ") << "one list, and nothing to call it";
-    const std::vector<CaseList> lists = lists_of({sound, unknown, broken, sound}, {});
+    const std::vector<CaseList> lists = lists_of(english, {sound, unknown, broken, sound}, {});
     EXPECT_EQ(lists[0].cases, std::vector<std::size_t>{2});
     EXPECT_EQ(lists[2].cases, (std::vector<std::size_t>{0, 3}));
 }

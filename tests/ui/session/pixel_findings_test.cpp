@@ -1,3 +1,4 @@
+#include "tools/english.h"
 #include "ui/session/pixel_findings.h"
 
 #include <glm/geometric.hpp>
@@ -39,8 +40,8 @@ TEST(PixelFindings, TheCentreOfAFloorHasTheVectorsOfAnyTextbook) {
     EXPECT_NEAR(glm::length(truth->probe.position), 0, 1e-12) << "the camera looks at the origin";
     EXPECT_NEAR(glm::distance(truth->probe.view, glm::normalize(glm::dvec3(0, 1, 1))), 0, 1e-12);
     EXPECT_NEAR(truth->probe.lights[0].terms.n_dot_l, 1, 1e-12);
-    EXPECT_EQ(worst_term(*found[Probed::b], *truth), "") << "per pixel is the truth";
-    const std::string worst = worst_term(*found[Probed::a], *truth);
+    EXPECT_EQ(worst_term(english, *found[Probed::b], *truth), "") << "per pixel is the truth";
+    const std::string worst = worst_term(english, *found[Probed::a], *truth);
     EXPECT_EQ(worst, "light 1, diffuse: red 0.577, should be 1") << "N.L at the four corners is 1 / sqrt 3";
 }
 
@@ -51,16 +52,17 @@ TEST(PixelFindings, EachSideHasItsOwnMesh) {
     EXPECT_FALSE(shown.one_truth());
     const PixelFindings found = probe_sides(shown, resources_of(shown), 20, 20);
     ASSERT_TRUE(found[Probed::a] && found[Probed::b] && found[Probed::truth_of_b]);
-    EXPECT_EQ(worst_term(*found[Probed::b], *found[Probed::truth_of_b]), "")
+    EXPECT_EQ(worst_term(english, *found[Probed::b], *found[Probed::truth_of_b]), "")
         << "two divisions: a vertex under the light";
-    EXPECT_EQ(worst_term(*found[Probed::a], *found[Probed::truth_of_a]), "light 1, diffuse: red 0.577, should be 1")
+    EXPECT_EQ(worst_term(english, *found[Probed::a], *found[Probed::truth_of_a]),
+              "light 1, diffuse: red 0.577, should be 1")
         << "its only vertices are the corners";
 }
 
 TEST(PixelFindings, RowsNameEveryTermAndCopyAsATable) {
     const SidesShown shown = floor_shown("per-pixel/phong", "per-pixel/lambert");
     const PixelFindings found = probe_sides(shown, resources_of(shown), 20, 20);
-    const std::string text = probe_text(found);
+    const std::string text = probe_text(english, found);
     for (const char *title : {"colour\t", "N\t", "V\t", "light 1: L\t", "light 1: attenuation a\t", "light 1: R\t",
                               "light 1: f^n\t", "light 1: specular share\t"}) {
         EXPECT_NE(text.find(title), std::string::npos) << title;

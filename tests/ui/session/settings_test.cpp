@@ -22,6 +22,7 @@ TEST_F(SettingsTest, WhatIsWrittenIsRead) {
     Settings settings{.dark = false,
                       .panels = false,
                       .scale = 1.5,
+                      .language = "zh",
                       .window = {1000, 700},
                       .panel_sizes = {30, 0.5F},
                       .recent = {"/a.json"},
