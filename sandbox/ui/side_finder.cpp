@@ -107,6 +107,13 @@ void SideFinder::start_making(const SlowPicture &picture) {
         } else {
             Target target(picture.size);
             renderer.draw(picture.scene, picture.technique, target);
+            if (picture.overlays != Overlays{}) {
+                renderer.draw_overlays(picture.scene, picture.technique, picture.overlays, target);
+            }
+            if (picture.difference) {
+                DisplayTexture colors(picture.size);
+                DisplayPass(renderer.parts()).run_difference(target, target, colors, 1);
+            }
         }
         Renderer::finish();
     });

@@ -13,7 +13,8 @@ namespace sandbox {
 /// Nothing where it can be drawn at once, or fails at once.
 std::optional<SlowPicture> ViewPainter::slow_picture(const Side &side, const ViewKey &key,
                                                      const std::optional<DisplayMap> &shown) {
-    SlowPicture slow{&side == &sides_[1], key.textbook, key.scene, key.technique, key.size, shown, {}};
+    SlowPicture slow{&side == &sides_[1], key.textbook, key.scene, key.technique, key.size, shown, {},
+                     key.overlays,        false};
     if (key.textbook) {
         ViewKey alone = key;
         alone.overlays = {};
@@ -34,10 +35,16 @@ std::optional<SlowPicture> ViewPainter::slow_picture(const Side &side, const Vie
 std::optional<SlowPicture> ViewPainter::slow_ahead(const Session &session, bool right) {
     const Side &side = sides_[right ? 1 : 0];
     const Document next = next_document(session);
+    const ViewSettings view = next_view(session);
     const Scene scene = with_mesh_factor(scene_in_view(next, side.shown.size), next.mesh_factors[right ? 1 : 0]);
-    const ViewKey key{scene, right ? next.right : next.left, side.shown.size, false, {}, reloads_};
+    const Overlays overlays = on_surfaces(view.drawn_over, view.layout);
+    const ViewKey key{scene, right ? next.right : next.left, side.shown.size, false, overlays, reloads_};
     const DisplayMap display{next.display, next.exposure};
-    return slow_picture(side, key, reads_light(next_view(session)) ? std::nullopt : std::optional(display));
+    auto slow = slow_picture(side, key, reads_light(view) ? std::nullopt : std::optional(display));
+    if (slow) {
+        slow->difference = view.layout == Layout::difference;
+    }
+    return slow;
 }
 
 const SlowPicture *ViewPainter::awaited() const {

@@ -32,6 +32,8 @@ struct SlowPicture {
     Size size;
     std::optional<DisplayMap> shown; ///< drawn as a screen shows it; none: as linear light
     std::vector<Features> programs;  ///< those that are missing
+    Overlays overlays{};             ///< on surfaces, of linear light
+    bool difference = false;         ///< ... in a difference
 };
 
 /// All that a side's float picture depends on.
