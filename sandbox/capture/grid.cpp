@@ -168,7 +168,7 @@ PictureOptions cell_options(PictureOptions options, const Technique &technique) 
 
 ByteImage draw_grid(const Scene &scene, const Grid &grid, const PictureOptions &options, const Painters &painters,
                     std::string_view name, const Progress &progress) {
-    const Words words = words_in(options.language);
+    const Words words = words_of_labels(options.language);
     std::vector<Scene> scenes;
     std::vector<std::string> rows, columns;
     for (const std::string &value : grid.sweep.values) {

@@ -118,6 +118,10 @@ void draw_bar(ByteImage &picture, double text, double left, double top, double w
 
 } // namespace
 
+Words words_of_labels(const std::string &language) {
+    return words_in(chinese_font() ? language : std::string(languages.front()));
+}
+
 Strips strips_for(int width, const LabelTexts &texts, double most_text) {
     Strips strips;
     if (texts.labels.empty() && !texts.scale) {

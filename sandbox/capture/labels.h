@@ -1,6 +1,7 @@
 #pragma once
 
 #include "image/image.h"
+#include "words/words.h"
 
 #include <span>
 #include <string>
@@ -9,6 +10,9 @@
 /// What stands around the views of a picture: a strip above with their labels, below a difference one with its scale.
 /// Never around a PFM, which is data.
 namespace sandbox {
+
+/// The texts in `language`; in English where no installed font has its characters.
+Words words_of_labels(const std::string &language);
 
 /// What is to be written.
 struct LabelTexts {

@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, 3> difference_names{"a-b", "a-reference",
 
 /// In people's words.
 std::vector<std::string> label_texts(const PictureOptions &options) {
-    const Words words = words_in(options.language);
+    const Words words = words_of_labels(options.language);
     const std::string left =
         options.textbook_left ? words.format("label.textbook", title_of(words, model_key, model_key.get(options.left)))
                               : title_of(words, options.left);
@@ -146,7 +146,7 @@ void paste_views(ByteImage &picture, const std::vector<ByteImage> &views, const 
 /// One legend a view that has masks; a wipe's stand in its halves.
 void draw_legends(ByteImage &picture, const std::vector<Metrics> &masked, const PictureOptions &options, int bottom,
                   double text) {
-    const Words words = words_in(options.language);
+    const Words words = words_of_labels(options.language);
     const std::vector<Size> views = view_sizes(options.layout, options.size);
     const bool wipe = options.layout == Layout::wipe;
     int left = 0;
@@ -182,7 +182,7 @@ void mark_views(ByteImage &picture, const Scene &scene, const PictureOptions &op
             }
         }
         ByteImage view = cut(picture, left, top, size);
-        draw_marks(view, words_in(options.language), options.marks, arrows, text,
+        draw_marks(view, words_of_labels(options.language), options.marks, arrows, text,
                    options.drawn_over.lights ? light_marks(scene, aspect) : std::vector<LightMark>{});
         paste(picture, view, left, top);
         left += size.width;
@@ -275,7 +275,7 @@ ByteImage show_picture(const Scene &scene, const PictureOptions &options, const 
     }
     draw_labels(shown, strips);
     if (strips.below > 0) {
-        const Words words = words_in(options.language);
+        const Words words = words_of_labels(options.language);
         const auto [first, second] = names_of(words, options.difference_of);
         draw_scale(shown, strips,
                    {.what = fmt::format("{} - {}", first, second),

@@ -23,7 +23,7 @@ struct LessonFlags {
 };
 
 /// The page and the slides. An error names the step.
-void write_lesson(const MeasuredLesson &measured, const std::string &language, const std::filesystem::path &out,
+void write_lesson(const Words &words, const MeasuredLesson &measured, const std::filesystem::path &out,
                   DrawingSession &session) {
     const Lesson &lesson = measured.lesson;
     std::vector<ByteImage> slides;
@@ -31,12 +31,12 @@ void write_lesson(const MeasuredLesson &measured, const std::string &language, c
         const LessonStep &step = lesson.steps[i];
         slides.push_back(with_flag(fmt::format("{}: steps[{}]", lesson.name, i), [&] {
             PictureOptions options = slide_options(step);
-            options.language = language;
+            options.language = words.language();
             return show_picture(step.scene, options, painters_of(session.renderer(), options.drawn_over));
         }));
         write_output(out / fmt::format("{}-{:02}.png", lesson.name, i + 1), encode_png(slides.back()));
     }
-    write_output(out / (lesson.name + ".html"), lesson_html(measured, slides, session.context().renderer()));
+    write_output(out / (lesson.name + ".html"), lesson_html(words, measured, slides, session.context().renderer()));
 }
 
 int run_lesson(const LessonFlags &flags, const CommonOptions &common) {
@@ -44,7 +44,7 @@ int run_lesson(const LessonFlags &flags, const CommonOptions &common) {
         throw InputError("--set {}: a lesson brings its own scenes", common.settings.front());
     }
     const Assets assets = scene_assets(common);
-    const Words words = words_in(flags.language, assets);
+    const Words words = words_in(flags.json ? languages.front() : flags.language, assets); // JSON stays English
     const bool all = flags.lesson == "all", gallery = flags.lesson == "gallery";
     const std::vector<Lesson> lessons = all       ? builtin_lessons(assets, words)
                                         : gallery ? builtin_bugs(assets, words)
@@ -58,11 +58,12 @@ int run_lesson(const LessonFlags &flags, const CommonOptions &common) {
     std::vector<MeasuredLesson> measured;
     bool passed = true;
     for (const Lesson &lesson : lessons) {
-        const LessonDraw draw = lessons_drawn_by(session.renderer());
+        LessonDraw draw = lessons_drawn_by(session.renderer());
+        draw.words = words;
         measured.push_back({lesson, with_flag(lesson.name, [&] { return measure_lesson(lesson, draw); })});
         passed = passed && measured.back().result.passed();
         if (!flags.out.empty()) {
-            write_lesson(measured.back(), flags.language, flags.out, session);
+            write_lesson(words, measured.back(), flags.out, session);
         }
         if (!flags.json && (flags.check || flags.out.empty())) {
             print(lesson_table(measured.back()));
@@ -70,7 +71,7 @@ int run_lesson(const LessonFlags &flags, const CommonOptions &common) {
         bar.report(static_cast<double>(measured.size()) / static_cast<double>(lessons.size()));
     }
     if (!flags.out.empty() && (all || gallery)) {
-        write_output(flags.out / "index.html", all ? lessons_index(measured) : gallery_sheet(measured));
+        write_output(flags.out / "index.html", all ? lessons_index(words, measured) : gallery_sheet(words, measured));
     }
     if (flags.json) {
         print(lessons_json(measured, renderer));

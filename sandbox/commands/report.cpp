@@ -28,6 +28,7 @@ struct ReportFlags {
     std::optional<Size> size;   ///< absent: the plan's own
     std::optional<int> repeats; ///< absent: the plan's own
     bool quick = false;
+    std::string language{languages.front()};
 };
 
 /// The first Ctrl-C stops the measuring, and the report is written; the second ends the program at once.
@@ -55,6 +56,7 @@ ReportRun measure(const ReportFlags &flags, const CommonOptions &common, const P
     ReportRun run =
         new_report_run(session.context().renderer(), session.context().version(), std::string(clock.name()));
     run.quick = flags.quick;
+    run.words = words_in(flags.language, scene_assets(common));
     ProgressBar bar("report");
     std::signal(SIGINT, stop);
     run.measured = measure_work_precision(scene, options, draw, [&](double share) {
@@ -94,6 +96,9 @@ int run_report(const ReportFlags &flags, const CommonOptions &common) {
     if (scene) {
         runs.insert(runs.begin(), measure(flags, common, options, *scene));
     }
+    for (ReportRun &run : runs) {
+        run.words = words_in(flags.language, scene_assets(common));
+    }
     write_output(flags.out / "report.json", report_json(runs));
     write_output(flags.out / "report.csv", report_csv(runs));
     write_output(flags.out / "report.html", report_html(runs));
@@ -116,6 +121,7 @@ void add_report(CLI::App &app, CommonOptions &common, Run &run) {
     add_value(command, "--repeats", "N", flags->repeats, "Number of timed rounds [21; --quick 5]")
         ->check(CLI::Range(1, 10000));
     add_view_name(command, flags->view);
+    add_language(command, flags->language, "Language of the page [en]");
     command.add_flag("--quick", flags->quick, "Overview within a minute: small pictures, ladder up to 64 rings");
     add_value(command, "--merge", "A.json B.json", flags->merge,
               "Show the runs of earlier report.json files beside this one, or,\nwithout SCENE, beside each other");

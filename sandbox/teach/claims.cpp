@@ -5,6 +5,7 @@
 #include "shading/prepared_object.h"
 #include "shading/program_source.h"
 #include "teach/pictures.h"
+#include "words/row_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,29 +20,36 @@ using Kind = PictureSource::Kind;
 
 constexpr int timed_frames = 7;
 
-std::string name_of(const PictureSource &source) {
-    constexpr std::array<std::string_view, 6> names{
-        "A", "B", "the truth", "the true surface", "its twin in double", "the textbook's float32"};
-    return source.kind == Kind::technique ? title_of(source.technique)
+std::string name_of(const Words &words, const PictureSource &source) {
+    return source.kind == Kind::technique ? title_of(words, source.technique)
            : source.kind == Kind::color
-               ? fmt::format("the colour ({:g}, {:g}, {:g})", source.color.x, source.color.y, source.color.z)
-               : std::string(names[static_cast<std::size_t>(source.kind)]);
+               ? words.format("claim.colour", source.color.x, source.color.y, source.color.z)
+               : words.text(fmt::format("claim.{}", picture_words[static_cast<std::size_t>(source.kind)]));
+}
+
+std::string claim_metric_key(const ClaimMetric &row) { return fmt::format("metric.{}", row.name); }
+
+std::string motion_title(const Words &words, const Motion &motion) {
+    const std::size_t number = motion.index + 1;
+    return motion.mover == Mover::number   ? motion.path
+           : motion.mover == Mover::camera ? words.text("motion.camera")
+           : motion.mover == Mover::light  ? words.format("motion.light", number)
+                                           : words.format("motion.object", number);
 }
 
 struct NamedMetric {
-    std::string meaning;
-    std::string_view unit;
+    std::string meaning, unit;
 };
-NamedMetric metric_of(std::string_view name) {
+NamedMetric metric_of(const Words &words, std::string_view name) {
     NamedMetric found;
     for_each_metric(Metrics{}, [&](const auto &row, const auto &) {
         if (row.name == name) {
-            found = {std::string(row.meaning), row.unit};
+            found = {meaning_of(words, row), unit_title(words, row.unit)};
         }
     });
     for (const ClaimMetric &row : claim_metric_rows) {
         if (row.name == name) {
-            found = {std::string(row.meaning), row.unit};
+            found = {row_text(words, claim_metric_key(row), row.meaning), unit_title(words, row.unit)};
         }
     }
     return found;
@@ -183,41 +191,47 @@ class Measurement {
 };
 
 std::string list_of(const std::vector<std::string> &words) { return fmt::format("{}", fmt::join(words, ", ")); }
-std::string settings_text(const std::vector<std::string> &settings) {
+std::string settings_text(const Words &words, const std::vector<std::string> &settings) {
     const std::string list = list_of(settings);
-    return list.size() <= 70 ? list : fmt::format("{} settings", settings.size());
+    return list.size() <= 70 ? list : words.format("claim.settings", settings.size());
 }
 
 /// The claim in the words of its metric.
-std::string said(const LessonClaim &claim) {
-    const std::string of = name_of(claim.of);
+std::string said(const Words &words, const LessonClaim &claim) {
+    const std::string of = name_of(words, claim.of);
     if (claim.metric.empty()) {
-        const std::string both = claim.has.empty() || claim.lacks.empty() ? "" : "; ";
-        return fmt::format("GLSL of {}{}: {}{}{}", of, claim.stage.empty() ? "" : ", " + claim.stage + " stage",
-                           claim.has.empty() ? "" : "has " + list_of(claim.has), both,
-                           claim.lacks.empty() ? "" : "lacks " + list_of(claim.lacks));
+        std::vector<std::string> parts;
+        if (!claim.has.empty()) {
+            parts.push_back(words.format("claim.has", list_of(claim.has)));
+        }
+        if (!claim.lacks.empty()) {
+            parts.push_back(words.format("claim.lacks", list_of(claim.lacks)));
+        }
+        const std::string stage = claim.stage.empty() ? "" : words.text("claim.stage." + claim.stage);
+        return words.format("claim.glsl", of, stage, fmt::join(parts, words.text("technique.and")));
     }
-    std::string text = metric_of(claim.metric).meaning;
+    std::string text = metric_of(words, claim.metric).meaning;
     const bool alone = claim.metric == brightest_metric || claim.metric == lines_metric ||
                        claim.metric == run_time_metric || (claim.metric == "nonfinite_pixels" && !claim.against);
     if (claim.motion) {
-        text += fmt::format(" from one moment to the next, {}: {}", motion_words(*claim.motion), of);
+        text = words.format("claim.moments", text, motion_title(words, *claim.motion), of);
     } else {
-        text +=
-            ": " + of + (alone ? "" : " against " + name_of(claim.against.value_or(PictureSource{Kind::reference})));
+        const PictureSource against = claim.against.value_or(PictureSource{Kind::reference});
+        text = alone ? words.format("claim.alone", text, of)
+                     : words.format("claim.against", text, of, name_of(words, against));
     }
-    text += claim.against_set.empty() ? "" : " with " + settings_text(claim.against_set);
-    text += claim.meshes.empty() ? "" : ", order over finer meshes";
-    text += claim.than ? ", over that of " + name_of(*claim.than) : "";
-    text += claim.set.empty() ? "" : "; with " + settings_text(claim.set);
-    return text + (claim.region ? ", in a part of the picture" : "");
+    text += claim.against_set.empty() ? "" : words.format("claim.against_set", settings_text(words, claim.against_set));
+    text += claim.meshes.empty() ? "" : words.text("claim.order");
+    text += claim.than ? words.format("claim.than", name_of(words, *claim.than)) : "";
+    text += claim.set.empty() ? "" : words.format("claim.set", settings_text(words, claim.set));
+    return text + (claim.region ? words.text("claim.region") : "");
 }
 
-std::string bound_words(const LessonClaim &claim) {
-    return claim.below    ? "below " + short_number(*claim.below)
-           : claim.above  ? "above " + short_number(*claim.above)
-           : claim.equals ? "exactly " + short_number(*claim.equals)
-           : claim.about  ? fmt::format("{} within a factor of {:g}", short_number(*claim.about), claim.within)
+std::string bound_words(const Words &words, const LessonClaim &claim) {
+    return claim.below    ? words.format("claim.below", short_number(*claim.below))
+           : claim.above  ? words.format("claim.above", short_number(*claim.above))
+           : claim.equals ? words.format("claim.equals", short_number(*claim.equals))
+           : claim.about  ? words.format("claim.about", short_number(*claim.about), claim.within)
                           : "";
 }
 
@@ -230,30 +244,31 @@ bool holds(const LessonClaim &claim, double value) {
                           : true;
 }
 
-void measure_words(const LessonClaim &claim, const Measurement &measurement, ClaimResult &result) {
+void measure_words(const Words &words, const LessonClaim &claim, const Measurement &measurement, ClaimResult &result) {
     const std::string code = measurement.code(claim.of);
     std::vector<std::string> wrong;
     for (const bool wanted : {true, false}) {
         for (const std::string &word : wanted ? claim.has : claim.lacks) {
             if (holds(code, word) != wanted) {
-                wrong.push_back((wanted ? "lacks " : "has ") + word);
+                wrong.push_back(words.format(wanted ? "claim.lacks" : "claim.has", word));
             }
         }
     }
     result.value = static_cast<double>(wrong.size());
     result.passed = wrong.empty();
-    result.measured = wrong.empty() ? "so it is" : list_of(wrong);
+    result.measured = wrong.empty() ? words.text("claim.so") : list_of(wrong);
 }
 
-void measure_run_time(const LessonClaim &claim, const Measurement &measurement, ClaimResult &result) {
+void measure_run_time(const Words &words, const LessonClaim &claim, const Measurement &measurement,
+                      ClaimResult &result) {
     const auto [first, second] = measurement.run_times(claim.of, claim.than.value_or(claim.of));
     result.value = claim.than ? first / second : first;
-    result.measured = claim.than ? fmt::format("{} ms / {} ms = {:.2f}, on this machine, not checked",
-                                               milliseconds_text(first), milliseconds_text(second), result.value)
-                                 : milliseconds_text(first) + " ms, on this machine, not checked";
+    result.measured =
+        claim.than ? words.format("claim.times", milliseconds_text(first), milliseconds_text(second), result.value)
+                   : words.format("claim.time", milliseconds_text(first));
 }
 
-void measure_metric(const LessonClaim &claim, const Measurement &measurement, ClaimResult &result) {
+void measure_metric(const Words &, const LessonClaim &claim, const Measurement &measurement, ClaimResult &result) {
     result.value = measurement.value(claim.of);
     if (claim.than) {
         result.value /= measurement.value(*claim.than);
@@ -275,19 +290,30 @@ std::vector<std::string_view> claim_metrics() {
     return names;
 }
 
+std::map<std::string, std::string> claim_row_texts() {
+    std::map<std::string, std::string> texts;
+    for (const ClaimMetric &row : claim_metric_rows) {
+        texts.emplace(claim_metric_key(row), row.meaning);
+        if (!row.unit.empty()) {
+            texts.emplace(fmt::format("unit.{}", row.unit), row.unit);
+        }
+    }
+    return texts;
+}
+
 bool is_claim_metric(std::string_view name) {
     const auto names = claim_metrics();
     return std::ranges::find(names, name) != names.end();
 }
 
-ClaimResult claim_words(const LessonClaim &claim) {
+ClaimResult claim_words(const Words &words, const LessonClaim &claim) {
     ClaimResult result;
-    result.what = claim.says.text.empty() ? said(claim) : claim.says.text;
-    result.bound = bound_words(claim);
+    result.what = claim.says.text.empty() ? said(words, claim) : claim.says.text;
+    result.bound = bound_words(words, claim);
     result.checked = claim.checked();
-    result.unit = claim.metric.empty()                  ? "words"
+    result.unit = claim.metric.empty()                  ? words.text("claim.words")
                   : claim.than || !claim.meshes.empty() ? ""
-                                                        : metric_of(claim.metric).unit;
+                                                        : metric_of(words, claim.metric).unit;
     return result;
 }
 
@@ -297,11 +323,11 @@ std::vector<ClaimResult> measure_step(const LessonStep &step, const LessonDraw &
     std::vector<ClaimResult> results;
     for (const LessonClaim &claim : step.claims) {
         const Measurement measurement(step, claim, draw, shelf);
-        ClaimResult result = claim_words(claim);
+        ClaimResult result = claim_words(draw.words, claim);
         const auto measure = claim.metric.empty()              ? measure_words
                              : claim.metric == run_time_metric ? measure_run_time
                                                                : measure_metric;
-        measure(claim, measurement, result);
+        measure(draw.words, claim, measurement, result);
         if (ready) {
             ready(result);
         }

@@ -4,9 +4,11 @@
 #include "scene/resources.h"
 #include "shading/parts.h"
 #include "teach/lesson.h"
+#include "words/words.h"
 
 #include <array>
 #include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,6 +35,8 @@ inline constexpr ClaimMetric claim_metric_rows[]{
 /// The names of all.
 std::vector<std::string_view> claim_metrics();
 bool is_claim_metric(std::string_view name);
+/// The texts of those rows by key, as row_texts() has others.
+std::map<std::string, std::string> claim_row_texts();
 
 /// How a lesson is drawn: by the renderer, or by a fake in a test.
 struct LessonDraw {
@@ -40,6 +44,7 @@ struct LessonDraw {
     /// With object ids, timed.
     std::function<Frame(const Scene &, const Technique &, Size)> picture;
     const ShaderParts *parts = nullptr;
+    Words words = words_in(languages.front()); ///< of what is said of the claims
 };
 
 struct ClaimResult {
@@ -47,13 +52,13 @@ struct ClaimResult {
     std::string measured; ///< "0.312"
     std::string bound;    ///< "above 0.3"; empty: none
     double value = 0;     ///< of words, how many are not as claimed
-    std::string_view unit;
+    std::string unit;
     bool checked = true;
     bool passed = true; ///< also where nothing is checked
 };
 
 /// A claim before it is measured: in words, with its bound.
-ClaimResult claim_words(const LessonClaim &claim);
+ClaimResult claim_words(const Words &words, const LessonClaim &claim);
 /// Hands each result to `ready` as soon as it is measured. Throws InputError if a technique is refused for the scene.
 std::vector<ClaimResult> measure_step(const LessonStep &step, const LessonDraw &draw,
                                       const std::function<void(const ClaimResult &)> &ready = {});

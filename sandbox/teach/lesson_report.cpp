@@ -19,14 +19,17 @@ std::string value_words(const ClaimResult &claim) {
     return text + (claim.bound.empty() ? "" : fmt::format(" ({})", claim.bound));
 }
 
-std::string claims_html(const std::vector<ClaimResult> &claims) {
-    html::Table table({"claim", "measured here", "claimed", ""});
+std::string claims_html(const Words &words, const std::vector<ClaimResult> &claims) {
+    html::Table table({words.text("page.claim"), words.text("page.measured"), words.text("page.claimed"), ""});
     for (const ClaimResult &claim : claims) {
         table.begin_row();
         table.text(html::escaped(claim.what));
         table.text(html::escaped(claim.measured));
         table.text(html::escaped(claim.bound));
-        table.text(!claim.checked ? "shown" : claim.passed ? "holds" : "does not hold", claim.passed ? "" : "bad");
+        table.text(words.text(!claim.checked ? "page.shown"
+                              : claim.passed ? "page.holds"
+                                             : "page.fails"),
+                   claim.passed ? "" : "bad");
     }
     return table.html();
 }
@@ -36,8 +39,8 @@ std::string techniques_words(const LessonStep &step) {
     return step.layout == StepLayout::single ? left : fmt::format("A {}, B {}", left, right);
 }
 
-std::string step_html(std::size_t number, const LessonStep &step, const std::vector<ClaimResult> &claims,
-                      const ByteImage &picture) {
+std::string step_html(const Words &words, std::size_t number, const LessonStep &step,
+                      const std::vector<ClaimResult> &claims, const ByteImage &picture) {
     const std::string question =
         step.question ? fmt::format("<details><summary>{}</summary><p>{}</p></details>\n",
                                     html::escaped(step.question->asks.text), html::escaped(step.question->answer.text))
@@ -47,15 +50,22 @@ std::string step_html(std::size_t number, const LessonStep &step, const std::vec
         "<figure><img alt=\"{1}\" src=\"data:image/png;base64,{3}\"><figcaption>{4}</figcaption></figure>\n"
         "{5}{6}</section>\n",
         number, html::escaped(step.title.text), html::escaped(step.text.text), html::base64(encode_png(picture)),
-        techniques_words(step), question, claims_html(claims));
+        techniques_words(step), question, claims_html(words, claims));
 }
 
 /// Empty of a lesson that is none.
-std::string bug_facts(const Lesson &lesson) {
-    return lesson.is_bug() ? fmt::format("<p><b>Seen:</b> {}<br><b>Cure:</b> {}<br><b>Told in:</b> {}</p>",
-                                         html::escaped(lesson.seen.text), html::escaped(lesson.cure.text),
-                                         html::escaped(lesson.source))
+std::string bug_facts(const Words &words, const Lesson &lesson) {
+    return lesson.is_bug() ? fmt::format("<p><b>{}</b>: {}<br><b>{}</b>: {}<br><b>{}</b>: {}</p>",
+                                         words.text("lesson_tab.seen"), html::escaped(lesson.seen.text),
+                                         words.text("lesson_tab.cure"), html::escaped(lesson.cure.text),
+                                         words.text("lesson_tab.source"), html::escaped(lesson.source))
                            : "";
+}
+
+std::string titled_page(const Words &words, const std::string &title, const std::string &body) {
+    return html::page(
+        words, title,
+        fmt::format("<header><p class=\"kicker\">Shading Sandbox</p><h1>{}</h1></header>\n{}", title, body));
 }
 
 } // namespace
@@ -106,22 +116,24 @@ std::string lessons_json(std::span<const MeasuredLesson> measured, const std::st
     return all.dump(2) + "\n";
 }
 
-std::string lesson_html(const MeasuredLesson &measured, std::span<const ByteImage> pictures,
+std::string lesson_html(const Words &words, const MeasuredLesson &measured, std::span<const ByteImage> pictures,
                         const std::string &renderer) {
     const auto &[lesson, result] = measured;
-    std::string body = fmt::format(
-        R"(<header><p class="kicker">{}</p><h1>{}</h1><p class="lead">{}</p>{}<p class="facts">Every claim was )"
-        "measured when this page was made &middot; {} &middot; Shading Sandbox {}</p></header>\n",
-        lesson.is_bug() ? "Famous bug" : "Lesson", html::escaped(lesson.title.text), html::escaped(lesson.about.text),
-        bug_facts(lesson), html::escaped(renderer), SANDBOX_VERSION);
+    std::string body =
+        fmt::format(R"(<header><p class="kicker">{}</p><h1>{}</h1><p class="lead">{}</p>{}<p class="facts">{} )"
+                    "&middot; {} &middot; Shading Sandbox {}</p></header>\n",
+                    words.text(lesson.is_bug() ? "page.bug" : "page.lesson"), html::escaped(lesson.title.text),
+                    html::escaped(lesson.about.text), bug_facts(words, lesson), words.text("page.every_claim"),
+                    html::escaped(renderer), SANDBOX_VERSION);
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
-        body += step_html(i + 1, lesson.steps[i], result.steps[i], pictures[i]);
+        body += step_html(words, i + 1, lesson.steps[i], result.steps[i], pictures[i]);
     }
-    return html::page(lesson.title.text, body);
+    return html::page(words, lesson.title.text, body);
 }
 
-std::string lessons_index(std::span<const MeasuredLesson> measured) {
-    html::Table table({"lesson", "what it teaches", "steps", "claims", ""});
+std::string lessons_index(const Words &words, std::span<const MeasuredLesson> measured) {
+    html::Table table({words.text("page.column.lesson"), words.text("page.column.about"),
+                       words.text("page.column.steps"), words.text("page.column.claims"), ""});
     for (const auto &[lesson, result] : measured) {
         std::size_t claims = 0;
         for (const auto &step : result.steps) {
@@ -133,23 +145,21 @@ std::string lessons_index(std::span<const MeasuredLesson> measured) {
         table.text(html::escaped(lesson.about.text));
         table.number(static_cast<double>(lesson.steps.size()), fmt::format("{}", lesson.steps.size()));
         table.number(static_cast<double>(claims), fmt::format("{}", claims));
-        table.text(result.passed() ? "every claim holds" : "a claim does not hold", result.passed() ? "" : "bad");
+        table.text(words.text(result.passed() ? "page.all_hold" : "page.one_fails"), result.passed() ? "" : "bad");
     }
-    return html::page("Lessons",
-                      "<header><p class=\"kicker\">Shading Sandbox</p><h1>Lessons</h1></header>\n" + table.html());
+    return titled_page(words, words.text("page.lessons"), table.html());
 }
 
-std::string gallery_sheet(std::span<const MeasuredLesson> measured) {
+std::string gallery_sheet(const Words &words, std::span<const MeasuredLesson> measured) {
     std::string figures;
     for (const auto &[lesson, result] : measured) {
-        figures += fmt::format("<figure><a href=\"{0}.html\"><img alt=\"{1}\" src=\"{0}-01.png\"></a>"
-                               "<figcaption><b>{1}</b>{2}{3}</figcaption></figure>\n",
-                               html::escaped(lesson.name), html::escaped(lesson.title.text), bug_facts(lesson),
-                               result.passed() ? "" : "<p class=\"bad\">A claim does not hold.</p>");
+        figures +=
+            fmt::format("<figure><a href=\"{0}.html\"><img alt=\"{1}\" src=\"{0}-01.png\"></a>"
+                        "<figcaption><b>{1}</b>{2}{3}</figcaption></figure>\n",
+                        html::escaped(lesson.name), html::escaped(lesson.title.text), bug_facts(words, lesson),
+                        result.passed() ? "" : fmt::format("<p class=\"bad\">{}</p>", words.text("page.one_fails")));
     }
-    return html::page("Famous bugs", "<header><p class=\"kicker\">Shading Sandbox</p><h1>Famous bugs</h1></header>\n"
-                                     "<div class=\"figures\">" +
-                                         figures + "</div>\n");
+    return titled_page(words, words.text("lesson_tab.bugs"), "<div class=\"figures\">" + figures + "</div>\n");
 }
 
 } // namespace sandbox

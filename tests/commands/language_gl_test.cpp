@@ -57,7 +57,11 @@ TEST_F(LanguageGl, LabelsOfCapturesAreInItAndTheSidecarSaysSo) {
     shoot("chinese.png", {"--lang", "zh"});
     EXPECT_TRUE(nlohmann::json::parse(folder.read("chinese.png.json"))["language"] == "zh");
     EXPECT_FALSE(nlohmann::json::parse(folder.read("english.png.json")).contains("language"));
-    expect_other("english.png", "chinese.png");
+    if (chinese_font()) {
+        expect_other("english.png", "chinese.png");
+    } else {
+        expect_same("english.png", "chinese.png"); // and a note says why
+    }
     const ProcessResult again =
         run_sandbox({"capture", folder.file("chinese.png.json"), "--out", folder.file("b.png")});
     EXPECT_EQ(again.exit_code, 0) << again.err;

@@ -3,6 +3,7 @@
 #include "scene/mesh_factor.h"
 #include "teach/lesson_read.h"
 #include "teach/lesson_report.h"
+#include "tools/english.h"
 #include "tools/error_of.h"
 
 #include <cmath>
@@ -161,8 +162,9 @@ TEST_F(Claims, TheReportSaysWhatFailed) {
     EXPECT_EQ(json["lessons"][0]["steps"][0]["claims"][1]["passed"], false);
     EXPECT_EQ(json["lessons"][0]["steps"][0]["claims"][0]["value"], 0.25);
     const std::vector<ByteImage> pictures{{{1, 1}, {1, 2, 3}}};
-    const std::string page = lesson_html(measured, pictures, "r");
-    EXPECT_NE(lessons_index({&measured, 1}).find("<a href=\"mine.html\">Mine &amp; yours</a>"), std::string::npos);
+    const std::string page = lesson_html(english, measured, pictures, "r");
+    EXPECT_NE(lessons_index(english, {&measured, 1}).find("<a href=\"mine.html\">Mine &amp; yours</a>"),
+              std::string::npos);
     for (const char *part : {"<title>Mine &amp; yours</title>", "<details><summary>Why?</summary><p>Because.</p>",
                              "src=\"data:image/png;base64,", "does not hold", "id=\"step-1\""}) {
         EXPECT_NE(page.find(part), std::string::npos) << part;

@@ -1,5 +1,7 @@
 #include "measure/report/text.h"
 #include "scene/scene_file.h"
+#include "teach/claims.h"
+#include "tools/english.h"
 #include "words/row_words.h"
 #include "words/words.h"
 
@@ -25,6 +27,7 @@ std::set<std::string> values_of(const std::string &text) {
 std::map<std::string, std::string> all_row_texts() {
     std::map<std::string, std::string> texts = row_texts();
     texts.merge(measured_row_texts());
+    texts.merge(claim_row_texts());
     const Assets assets("assets");
     for (const std::string &scene : builtin_scenes(assets)) {
         texts.emplace("builtin." + scene, open_scene(scene, assets).description);

@@ -71,10 +71,18 @@ std::string Table::html() const {
                                        caption, head, body);
 }
 
-std::string page(std::string_view title, std::string_view body) {
+std::vector<std::string> heads_of(const Words &words, std::initializer_list<std::string_view> names) {
+    std::vector<std::string> heads;
+    for (const std::string_view name : names) {
+        heads.push_back(words.text(fmt::format("report.column.{}", name)));
+    }
+    return heads;
+}
+
+std::string page(const Words &words, std::string_view title, std::string_view body) {
     const Assets assets("assets");
     return fmt::format(R"(<!DOCTYPE html>
-<html lang="en">
+<html lang="{}">
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
@@ -91,7 +99,7 @@ std::string page(std::string_view title, std::string_view body) {
 </body>
 </html>
 )",
-                       escaped(title), assets.read("page/style.css").value_or(""), body,
+                       words.language(), escaped(title), assets.read("page/style.css").value_or(""), body,
                        assets.read("page/script.js").value_or(""));
 }
 

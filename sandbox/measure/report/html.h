@@ -2,7 +2,9 @@
 
 #include "image/image.h"
 #include "measure/work_precision/findings.h"
+#include "words/words.h"
 
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -41,7 +43,9 @@ class Table {
 };
 
 /// A whole self-contained page; `title` is plain text.
-std::string page(std::string_view title, std::string_view body);
+/// The heads of columns report.column.NAME.
+std::vector<std::string> heads_of(const Words &words, std::initializer_list<std::string_view> names);
+std::string page(const Words &words, std::string_view title, std::string_view body);
 /// A heading, a lead and a body; empty if the body is.
 std::string section(std::string_view style, std::string_view title, std::string_view lead, std::string_view body);
 std::string card(std::string_view top, std::string_view big, std::string_view below, bool words = false);

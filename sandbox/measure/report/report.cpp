@@ -2,6 +2,7 @@
 
 #include "measure/report/text.h"
 #include "measure/work_precision/findings.h"
+#include "words/row_words.h"
 
 #include <cstdlib>
 #include <ctime>
@@ -75,15 +76,16 @@ std::vector<ReportPicture> report_pictures(const Words &words, const WorkPrecisi
     }
     const bool analytic = measured.no_analytic_surface.empty();
     const ReferenceFrame truth = report_truth(model, analytic, measured.meshes, measured.options.size, draw.load);
-    std::vector<ReportPicture> pictures{{"The truth",
-                                         fmt::format("{} per pixel in double, on the {}", name_of(model),
-                                                     analytic ? "surfaces themselves" : "finest mesh"),
+    std::vector<ReportPicture> pictures{{words.text("report.truth"),
+                                         words.format(analytic ? "report.truth_surface" : "report.truth_mesh",
+                                                      title_of(words, model_key, static_cast<int>(model))),
                                          to_display(to_frame(truth).color),
                                          {}}};
-    for (const auto &[title, row] : {std::pair("Closest to it", best), std::pair("Farthest from it", worst)}) {
+    for (const auto &[title, row] : {std::pair("report.closest", best), std::pair("report.farthest", worst)}) {
         if (row != nullptr) {
             const PlannedMesh &mesh = measured.meshes[row->plan.mesh];
-            pictures.push_back({title, fmt::format("{}, {}:", to_string(row->plan.technique), mesh_words(words, mesh)),
+            pictures.push_back({words.text(title),
+                                words.format("report.picture", to_string(row->plan.technique), mesh_words(words, mesh)),
                                 to_display(draw.picture(mesh.scene, row->plan.technique).color),
                                 "RMSE " + short_number(row->errors->total.norms.rmse)});
         }

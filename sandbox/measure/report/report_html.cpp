@@ -15,22 +15,23 @@ namespace {
 
 using namespace html;
 
-std::string run_name(std::size_t i) { return fmt::format("Run {}", i + 1); }
+std::string run_name(const Words &words, std::size_t i) { return words.format("report.run", i + 1); }
 
-std::string runs_table(const std::vector<ReportRun> &runs) {
-    Table table({"run", "scene", "size", "renderer", "OpenGL", "processor", "build", "version", "date"});
+std::string runs_table(const Words &words, const std::vector<ReportRun> &runs) {
+    Table table(
+        heads_of(words, {"run", "scene", "size", "renderer", "opengl", "processor", "build", "version", "date"}));
     for (std::size_t i = 0; i < runs.size(); ++i) {
         const ReportRun &run = runs[i];
         const Size size = run.measured.options.size;
         const std::string &llvmpipe = run.machine.llvmpipe_threads;
         table.begin_row();
-        table.text(run_name(i) + (run.measured.finished ? "" : " (incomplete)"));
+        table.text(run_name(words, i) + (run.measured.finished ? "" : words.text("report.incomplete")));
         table.text(escaped(run.measured.scene.name));
         table.text(fmt::format("{} &times; {}", size.width, size.height));
         table.text(escaped(run.machine.renderer));
         table.text(escaped(run.machine.opengl));
-        table.text(fmt::format("{}, {} threads{}", escaped(run.machine.processor), run.machine.threads,
-                               llvmpipe.empty() ? "" : ", LP_NUM_THREADS " + escaped(llvmpipe)));
+        table.text(words.format("report.threads", escaped(run.machine.processor), run.machine.threads) +
+                   (llvmpipe.empty() ? "" : ", LP_NUM_THREADS " + escaped(llvmpipe)));
         table.text(escaped(run.machine.build));
         table.text(escaped(run.version));
         table.text(escaped(run.date));
@@ -48,13 +49,13 @@ const MeasuredRow *twin(const ReportRun &run, const MeasuredRow &row, const Plan
     return found == run.measured.rows.end() || !found->complete() ? nullptr : &*found;
 }
 
-std::string times_table(const std::vector<ReportRun> &runs) {
-    std::vector<std::string> heads{"technique", "rings"};
+std::string times_table(const Words &words, const std::vector<ReportRun> &runs) {
+    std::vector<std::string> heads = heads_of(words, {"technique", "rings"});
     for (std::size_t i = 0; i < runs.size(); ++i) {
-        heads.push_back(run_name(i) + ", ms");
+        heads.push_back(words.format("report.run_ms", run_name(words, i)));
         heads.emplace_back("RMSE");
         if (i > 0) {
-            heads.emplace_back("time / Run 1");
+            heads.push_back(words.text("report.time_ratio"));
         }
     }
     Table table(heads);
@@ -63,7 +64,7 @@ std::string times_table(const std::vector<ReportRun> &runs) {
         const PlannedMesh &mesh = first.meshes[row.plan.mesh];
         table.begin_row();
         table.text(technique_code(row.plan.technique));
-        table.number(mesh.rings, mesh.ladder ? fmt::format("{}", mesh.rings) : "own");
+        table.number(mesh.rings, mesh.ladder ? fmt::format("{}", mesh.rings) : words.text("report.own"));
         for (std::size_t i = 0; i < runs.size(); ++i) {
             const auto add = [&](const std::optional<double> &value, std::string (*text)(double), const char *style) {
                 value ? table.number(*value, text(*value), style) : table.text("&ndash;", "n q");
@@ -82,19 +83,19 @@ std::string times_table(const std::vector<ReportRun> &runs) {
 }
 
 /// One line per run: its front.
-std::string fronts_plot(const std::vector<ReportRun> &runs, Model model) {
+std::string fronts_plot(const Words &words, const std::vector<ReportRun> &runs, Model model) {
     PlotRequest plot;
-    plot.title = fmt::format("{}: the fronts of all runs", name_of(model));
-    plot.x_label = "median time of a frame, ms";
-    plot.y_label = "root mean square error";
+    plot.title = words.format("report.fronts_of", title_of(words, model_key, static_cast<int>(model)));
+    plot.x_label = words.text("plot.time");
+    plot.y_label = long_title_of(words, ErrorNorm::rmse);
     std::vector<std::string> tips; // by tag
     for (std::size_t i = 0; i < runs.size(); ++i) {
-        PlotSeries series{run_name(i), static_cast<int>(i), {}};
+        PlotSeries series{run_name(words, i), static_cast<int>(i), {}};
         for (const std::size_t row : pareto_front(runs[i].measured, model, ErrorNorm::rmse)) {
             const MeasuredRow &found = runs[i].measured.rows[row];
             series.points.push_back({found.time->median, found.errors->total.norms.rmse, found.time->lower_quartile,
                                      found.time->upper_quartile, tips.size()});
-            tips.push_back(fmt::format("{}: {}", run_name(i), to_string(found.plan.technique)));
+            tips.push_back(fmt::format("{}: {}", run_name(words, i), to_string(found.plan.technique)));
         }
         plot.series.push_back(std::move(series));
     }
@@ -102,42 +103,39 @@ std::string fronts_plot(const std::vector<ReportRun> &runs, Model model) {
 }
 
 /// Several runs beside each other.
-std::string comparison(const std::vector<ReportRun> &runs) {
+std::string comparison(const Words &words, const std::vector<ReportRun> &runs) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < runs.size(); ++i) {
-        names.push_back(fmt::format("{}: {}, {}", run_name(i), runs[i].machine.renderer, runs[i].version));
+        names.push_back(fmt::format("{}: {}, {}", run_name(words, i), runs[i].machine.renderer, runs[i].version));
     }
     std::string plots;
     for (const Model model : richest_first(runs[0].measured)) {
-        plots += fmt::format("<div>{}</div>\n", fronts_plot(runs, model));
+        plots += fmt::format("<div>{}</div>\n", fronts_plot(words, runs, model));
     }
-    return "<header><p class=\"kicker\">Error against run time</p><h1>Runs side by side</h1></header>\n" +
-           section("runs", "The runs", "Each has its own report below.", runs_table(runs)) +
-           section("fronts", "What is cheapest in each",
-                   "For every run, the rows than which no other is both faster and "
-                   "closer.",
-                   legend_html(names, false) + "<div class=\"plots\">" + plots + "</div>\n") +
-           section("twins", "Row by row", "Rows of the first run, and the same rows of the others.", times_table(runs));
+    return fmt::format("<header><p class=\"kicker\">{}</p><h1>{}</h1></header>\n", words.text("report.title"),
+                       words.text("report.side_by_side")) +
+           section("runs", words.text("report.runs"), words.text("report.runs.lead"), runs_table(words, runs)) +
+           section("fronts", words.text("report.fronts"), words.text("report.fronts.lead"),
+                   legend_html(words, names, false) + "<div class=\"plots\">" + plots + "</div>\n") +
+           section("twins", words.text("report.twins"), words.text("report.twins.lead"), times_table(words, runs));
 }
 
 std::string heading(const ReportRun &run) {
+    const Words &words = run.words;
     const WorkPrecision &m = run.measured;
-    std::string text =
-        fmt::format(R"(<header><p class="kicker">Error against run time</p><h1>{}</h1>)", escaped(m.scene.name));
+    std::string text = fmt::format(R"(<header><p class="kicker">{}</p><h1>{}</h1>)", words.text("report.title"),
+                                   escaped(m.scene.name));
     if (!m.scene.description.empty()) {
         text += fmt::format(R"(<p class="lead">{}</p>)", escaped(m.scene.description));
     }
-    text += fmt::format(
-        R"(<p class="facts">{} &times; {} pixels &middot; {} &middot; Shading Sandbox {} &middot; {} UTC</p>)",
-        m.options.size.width, m.options.size.height, escaped(run.machine.renderer), escaped(run.version),
-        escaped(run.date));
+    text += fmt::format(R"(<p class="facts">{} &middot; {} &middot; Shading Sandbox {} &middot; {} UTC</p>)",
+                        words.format("report.pixels", m.options.size.width, m.options.size.height),
+                        escaped(run.machine.renderer), escaped(run.version), escaped(run.date));
     if (!m.finished) {
-        text += "<p class=\"warning\">Incomplete: the measuring was stopped. What had been measured is here.</p>";
+        text += fmt::format("<p class=\"warning\">{}</p>", words.text("report.stopped"));
     }
     if (run.quick) {
-        text += fmt::format("<p class=\"note\">A quick overview: {} timed rounds. For figures to quote, make the full "
-                            "report.</p>",
-                            m.options.repeats);
+        text += fmt::format("<p class=\"note\">{}</p>", words.format("report.quick", m.options.repeats));
     }
     return text + "</header>\n";
 }
@@ -145,13 +143,16 @@ std::string heading(const ReportRun &run) {
 } // namespace
 
 std::string report_html(const std::vector<ReportRun> &runs) {
-    std::string body = runs.size() > 1 ? comparison(runs) : "";
+    const Words words = runs.empty() ? words_in(languages.front()) : runs[0].words;
+    std::string body = runs.size() > 1 ? comparison(words, runs) : "";
     for (const ReportRun &run : runs) {
         body += heading(run) + summary(run) + pictures(run) + error_against_time(run) + cheapest_rows(run) +
                 order_ladder(run) + error_split(run) + claims(run) + specialisation(run) + power(run) + all_rows(run) +
                 method(run);
     }
-    return page(runs.empty() ? "Report" : runs[0].measured.scene.name + ": error against run time", body);
+    return page(words,
+                runs.empty() ? words.text("report.report") : words.format("report.of", runs[0].measured.scene.name),
+                body);
 }
 
 } // namespace sandbox

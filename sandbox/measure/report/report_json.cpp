@@ -186,7 +186,7 @@ Json findings_json(const WorkPrecision &measured) {
         }
     }
     Json claims = Json::array();
-    for (const Claim &claim : answer_claims(measured)) {
+    for (const Claim &claim : answer_claims(words_in(languages.front()), measured)) {
         claims.push_back({{"says", claim.says},
                           {"row", claim.row},
                           {"against", claim.against},

@@ -2,6 +2,7 @@
 
 #include "measure/report/html.h"
 #include "measure/report/text.h"
+#include "words/row_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,18 +14,18 @@ namespace {
 std::string cheapest_card(const Words &words, const WorkPrecision &m) {
     const Model model = models_of(m).back();
     const auto row = cheapest(m, model, ErrorNorm::rmse, error_bounds[0]);
-    const std::string top = fmt::format("Cheapest within one 8-bit level, {}", name_of(model));
+    const std::string top = words.format("report.cheapest_card", title_of(words, model_key, static_cast<int>(model)));
     if (!row) {
-        return card(top, "none", "no row that counts has an RMSE of 1/255 or less");
+        return card(top, words.text("report.none"), words.text("report.no_cheapest"));
     }
     const MeasuredRow &found = m.rows[*row];
     return card(top, escaped(to_string(found.plan.technique)),
-                fmt::format("{}, {} ms, RMSE {}", escaped(mesh_words(words, m.meshes[found.plan.mesh])),
-                            milliseconds_text(found.time->median), short_number(found.errors->total.norms.rmse)),
+                words.format("report.row", escaped(mesh_words(words, m.meshes[found.plan.mesh])),
+                             milliseconds_text(found.time->median), short_number(found.errors->total.norms.rmse)),
                 true);
 }
 
-std::string saving_card(const WorkPrecision &m) {
+std::string saving_card(const Words &words, const WorkPrecision &m) {
     std::vector<double> ratios;
     for (const TimeRatio &ratio : ratios_to_base(m, RowGroup::full_program)) {
         ratios.push_back(ratio.median);
@@ -33,49 +34,51 @@ std::string saving_card(const WorkPrecision &m) {
         return {};
     }
     const std::size_t count = ratios.size();
-    return card("Leaving out what is not needed saves",
+    return card(words.text("report.saving"),
                 fmt::format("{} %", std::lround(100 * (1 - 1 / run_time(std::move(ratios)).median))),
-                fmt::format("of the full program's time, median over {} techniques", count));
+                words.format("report.saving.of", count));
 }
 
-std::string truth_card(const WorkPrecision &m) {
-    return card("Judged against", m.no_analytic_surface.empty() ? "the surfaces themselves" : "the finest mesh",
-                "per pixel, in double precision", true);
+std::string truth_card(const Words &words, const WorkPrecision &m) {
+    return card(words.text("report.judged"),
+                words.text(m.no_analytic_surface.empty() ? "report.surfaces" : "report.finest"),
+                words.text("report.judged.how"), true);
 }
 
-std::string failures_card(const WorkPrecision &m) {
+std::string failures_card(const Words &words, const WorkPrecision &m) {
     const auto failed = std::ranges::count_if(
         m.rows, [](const MeasuredRow &row) { return row.errors && row.errors->total.nonfinite_pixels > 0; });
-    return card("Rows with a pixel that is not finite", fmt::format("{}", failed),
-                fmt::format("of {} rows measured", m.rows.size()));
+    return card(words.text("report.failures"), fmt::format("{}", failed),
+                words.format("report.of_rows", m.rows.size()));
 }
 
 /// Empty where there is no such row.
-std::string marked_card(const WorkPrecision &m) {
+std::string marked_card(const Words &words, const WorkPrecision &m) {
     const std::size_t marked = marked_rows(m);
-    return marked == 0
-               ? ""
-               : card("Rows of which less than half is compared", fmt::format("{}", marked),
-                      fmt::format("of {} rows measured; they are in no plot and never recommended", m.rows.size()));
+    return marked == 0 ? ""
+                       : card(words.text("report.marked"), fmt::format("{}", marked),
+                              words.format("report.marked.of", m.rows.size()));
 }
 
 /// The head of a quantity's column; its unit and meaning show when the mouse rests on it.
-template <class T> void add_head(std::vector<std::string> &heads, const Quantity<T> &quantity) {
+template <class T> void add_head(std::vector<std::string> &heads, const Words &words, const Quantity<T> &quantity) {
     if (!quantity.heading.empty()) {
         heads.push_back(
-            fmt::format(R"(<span title="{}; unit: {}">{}</span>)", quantity.meaning, quantity.unit, quantity.heading));
+            fmt::format(R"(<span title="{}">{}</span>)",
+                        words.format("report.unit", meaning_of(words, quantity), unit_title(words, quantity.unit)),
+                        heading_of(words, quantity)));
     }
 }
 
-std::vector<std::string> row_heads() {
-    std::vector<std::string> heads{"technique", "rings", "triangles"};
+std::vector<std::string> row_heads(const Words &words) {
+    std::vector<std::string> heads = heads_of(words, {"technique", "rings", "triangles"});
     for (const Quantity<RunTime> &time : run_time_quantities) {
-        add_head(heads, time);
+        add_head(heads, words, time);
     }
-    heads.emplace_back("middle half");
-    for_each_metric(Metrics{}, [&](const auto &metric, const auto &) { add_head(heads, metric); });
+    heads.push_back(words.text("report.column.middle_half"));
+    for_each_metric(Metrics{}, [&](const auto &metric, const auto &) { add_head(heads, words, metric); });
     for (const ErrorPart &part : error_parts) {
-        heads.emplace_back(part.heading);
+        heads.push_back(heading_of(words, part));
     }
     return heads;
 }
@@ -110,19 +113,19 @@ void add_errors(Table &table, const RowErrors &errors) {
     }
 }
 
-void add_row(Table &table, const WorkPrecision &m, const MeasuredRow &row) {
+void add_row(Table &table, const Words &words, const WorkPrecision &m, const MeasuredRow &row) {
     const PlannedMesh &mesh = m.meshes[row.plan.mesh];
     table.begin_row();
-    const std::string mark = row.mark();
+    const std::string mark = row.errors ? why_untrusted(words, row.errors->total) : "";
     table.text(technique_code(row.plan.technique) +
                    (mark.empty() ? "" : fmt::format(R"(<br><span class="q">{}</span>)", escaped(mark))),
                mark.empty() ? "" : "bad");
-    table.number(mesh.rings, mesh.ladder ? fmt::format("{}", mesh.rings) : "own");
+    table.number(mesh.rings, mesh.ladder ? fmt::format("{}", mesh.rings) : words.text("report.own"));
     table.number(static_cast<double>(mesh.triangles), fmt::format("{}", mesh.triangles));
     if (!row.refused.empty()) {
-        table.rest("refused: " + escaped(row.refused), "q");
+        table.rest(words.format("report.refused", escaped(row.refused)), "q");
     } else if (!row.errors) {
-        table.rest("not measured", "q");
+        table.rest(words.text("report.not_measured"), "q");
     } else {
         add_time(table, row.time);
         add_errors(table, *row.errors);
@@ -140,56 +143,49 @@ std::string summary(const ReportRun &run) {
     const WorkPrecision &m = run.measured;
     return m.rows.empty() ? ""
                           : fmt::format("<div class=\"cards\">{}{}{}{}{}</div>\n", cheapest_card(run.words, m),
-                                        saving_card(m), truth_card(m), failures_card(m), marked_card(m));
+                                        saving_card(run.words, m), truth_card(run.words, m),
+                                        failures_card(run.words, m), marked_card(run.words, m));
 }
 
 std::string all_rows(const ReportRun &run) {
-    Table table(row_heads());
+    Table table(row_heads(run.words));
     for (const MeasuredRow &row : run.measured.rows) {
-        add_row(table, run.measured, row);
+        add_row(table, run.words, run.measured, row);
     }
-    return section("rows", "Every row",
-                   "Errors in linear colour over all three channels of the pixels where the picture and the truth show "
-                   "the same object; pixels at silhouettes, at edges between triangles, at jumps of the equation and "
-                   "where rounding alone decides are only counted. A row of which less than half is compared is "
-                   "marked: it is in no plot and never recommended. The four parts of the error, in the last columns, "
-                   "are root mean squares.",
-                   table.html());
+    return section("rows", run.words.text("report.rows"), run.words.text("report.rows.lead"), table.html());
 }
 
 std::string method(const ReportRun &run) {
     const WorkPrecision &m = run.measured;
     const Machine &machine = run.machine;
+    const Words &words = run.words;
     std::vector<std::string> omitted, spent;
     for (const OmittedRow &row : m.omitted) {
         omitted.push_back(fmt::format("<code>{}</code>: {}", escaped(row.technique), escaped(row.reason)));
     }
     for (const Quantity<Accounting> &part : accounting_quantities) {
-        spent.push_back(fmt::format("{:.1f} s {}", part.value(m.seconds).value_or(0), part.heading));
+        spent.push_back(words.format("report.spent_part", part.value(m.seconds).value_or(0), heading_of(words, part)));
     }
+    const auto line = [&](std::string_view key, const std::string &text) {
+        return item(words.text(fmt::format("report.method.{}", key)), text);
+    };
     const std::string list =
-        item("Renderer", fmt::format("{}, OpenGL {}", escaped(machine.renderer), escaped(machine.opengl))) +
-        item("Processor", fmt::format("{}, {} threads", escaped(machine.processor), machine.threads)) +
-        item("LP_NUM_THREADS", machine.llvmpipe_threads.empty() ? "not set" : escaped(machine.llvmpipe_threads)) +
-        item("Program", fmt::format("Shading Sandbox {}, {}", escaped(run.version), escaped(machine.build))) +
-        item("Clock", escaped(machine.clock)) +
-        item("Rounds", fmt::format("{} dropped, then {} timed; every row is drawn once a round, so that drift reaches "
-                                   "all alike",
-                                   m.options.warm_ups, m.options.repeats)) +
-        item("Frame", "clear, draw, finish, into RGBA32F; no object ids, no display pass, one sample a pixel") +
-        item("Truth",
-             "the same equation per pixel in double, on the " +
-                 (m.no_analytic_surface.empty() ? "analytic surfaces"
-                                                : fmt::format("finest mesh ({})", escaped(m.no_analytic_surface)))) +
-        item("Ladder", fmt::format("{} to {} rings; all shapes are refined in proportion, models from files keep their "
-                                   "mesh",
-                                   m.options.first_rings, m.options.last_rings)) +
-        item("Left out", fmt::format("{}", fmt::join(omitted, "; "))) +
-        item("Spent", fmt::format("{}", fmt::join(spent, ", "))) +
-        item("Files",
-             "report.json and report.csv beside this page hold every number of it; a report that is made again "
-             "on the same machine has the same errors to the last digit");
-    return section("method", "Machine and method", "", "<dl>" + list + "</dl>\n");
+        line("renderer", fmt::format("{}, OpenGL {}", escaped(machine.renderer), escaped(machine.opengl))) +
+        line("processor", words.format("report.threads", escaped(machine.processor), machine.threads)) +
+        item("LP_NUM_THREADS",
+             machine.llvmpipe_threads.empty() ? words.text("report.not_set") : escaped(machine.llvmpipe_threads)) +
+        line("program", fmt::format("Shading Sandbox {}, {}", escaped(run.version), escaped(machine.build))) +
+        line("clock", escaped(machine.clock)) +
+        line("rounds", words.format("report.rounds", m.options.warm_ups, m.options.repeats)) +
+        line("frame", words.text("report.frame")) +
+        line("truth", m.no_analytic_surface.empty()
+                          ? words.text("report.on_surfaces")
+                          : words.format("report.on_finest", escaped(m.no_analytic_surface))) +
+        line("ladder", words.format("report.ladder", m.options.first_rings, m.options.last_rings)) +
+        line("left_out", fmt::format("{}", fmt::join(omitted, words.text("technique.and")))) +
+        line("spent", fmt::format("{}", fmt::join(spent, words.text("list.comma")))) +
+        line("files", words.text("report.files"));
+    return section("method", words.text("report.method"), "", "<dl>" + list + "</dl>\n");
 }
 
 } // namespace sandbox::html

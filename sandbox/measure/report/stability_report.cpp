@@ -209,7 +209,7 @@ std::string stability_html(const StabilityRun &run) {
         unbroken += case_html(run.words, *result);
     }
     return html::page(
-        "Stiff and extreme cases",
+        run.words, run.words.text("stability.page"),
         header + "<div class=\"cards\">" + cards + "</div>\n" + tables + group_sections(run.words, breaks) +
             html::section("holds", run.words.text(holds_title), "The symptom is what was seen elsewhere.", unbroken));
 }

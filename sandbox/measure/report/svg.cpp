@@ -11,7 +11,7 @@ std::string line(double x1, double y1, double x2, double y2, std::string_view st
     return fmt::format(R"(<line x1="{:.1f}" y1="{:.1f}" x2="{:.1f}" y2="{:.1f}" class="{}"/>)", x1, y1, x2, y2, style);
 }
 
-std::string words(double x, double y, std::string_view style, std::string_view text, std::string_view more = {}) {
+std::string svg_text(double x, double y, std::string_view style, std::string_view text, std::string_view more = {}) {
     return fmt::format(R"(<text x="{:.1f}" y="{:.1f}" class="{}"{}>{}</text>)", x, y, style, more, html::escaped(text));
 }
 
@@ -40,17 +40,17 @@ std::string axes(const PlotRequest &request, const PlotLayout &layout) {
     std::string svg;
     for (const PlotTick &tick : layout.x_ticks) {
         svg += line(tick.at, layout.top, tick.at, layout.bottom, tick.label.empty() ? "minor" : "grid");
-        svg += tick.label.empty() ? "" : words(tick.at, layout.bottom + 16, "tick mid", tick.label);
+        svg += tick.label.empty() ? "" : svg_text(tick.at, layout.bottom + 16, "tick mid", tick.label);
     }
     for (const PlotTick &tick : layout.y_ticks) {
         svg += line(layout.left, tick.at, layout.right, tick.at, tick.label.empty() ? "minor" : "grid");
-        svg += tick.label.empty() ? "" : words(layout.left - 7, tick.at + 4, "tick end", tick.label);
+        svg += tick.label.empty() ? "" : svg_text(layout.left - 7, tick.at + 4, "tick end", tick.label);
     }
     const double middle = (layout.top + layout.bottom) / 2;
-    svg += words(layout.left, layout.top - 12, "title", request.title);
-    svg += words((layout.left + layout.right) / 2, layout.bottom + 36, "label mid", request.x_label);
-    svg +=
-        words(14, middle, "label mid", request.y_label, fmt::format(R"~( transform="rotate(-90 14 {:.1f})")~", middle));
+    svg += svg_text(layout.left, layout.top - 12, "title", request.title);
+    svg += svg_text((layout.left + layout.right) / 2, layout.bottom + 36, "label mid", request.x_label);
+    svg += svg_text(14, middle, "label mid", request.y_label,
+                    fmt::format(R"~( transform="rotate(-90 14 {:.1f})")~", middle));
     return svg;
 }
 
@@ -66,7 +66,7 @@ std::string guide_lines(const PlotLayout &layout) {
 std::string guide_labels(const PlotLayout &layout) {
     std::string svg;
     for (const PlotGuide &guide : layout.guides) {
-        svg += words(layout.left + 5, guide.y - 4, "guide-label", guide.label);
+        svg += svg_text(layout.left + 5, guide.y - 4, "guide-label", guide.label);
     }
     return svg;
 }
@@ -104,7 +104,7 @@ std::string plot_svg(const PlotRequest &request, const std::function<std::string
     return svg + guide_labels(layout) + "</svg>\n";
 }
 
-std::string legend_html(const std::vector<std::string> &names, bool with_front) {
+std::string legend_html(const Words &words, const std::vector<std::string> &names, bool with_front) {
     std::string legend;
     for (std::size_t i = 0; i < names.size(); ++i) {
         legend += fmt::format(R"(<span><svg viewBox="0 0 30 12" class="s{}" aria-hidden="true">)"
@@ -112,8 +112,11 @@ std::string legend_html(const std::vector<std::string> &names, bool with_front) 
                               i, marker(15, 6, static_cast<int>(i)), html::escaped(names[i]));
     }
     if (with_front) {
-        legend += "<span><svg viewBox=\"0 0 30 12\" aria-hidden=\"true\"><path class=\"front\" d=\"M0 3L15 3L15 10L30 "
-                  "10\"/></svg>no other is both faster and closer</span>";
+        legend +=
+            std::string(
+                "<span><svg viewBox=\"0 0 30 12\" aria-hidden=\"true\"><path class=\"front\" d=\"M0 3L15 3L15 10L30 "
+                "10\"/></svg>") +
+            words.text("report.front") + "</span>";
     }
     return fmt::format("<p class=\"legend\">{}</p>\n", legend);
 }
@@ -125,12 +128,12 @@ std::string bars_svg(const std::vector<LabelledBar> &bars, double width, const s
     for (const LabelledBar &bar : bars) {
         y += bar.gap_above ? gap : 0;
         svg += fmt::format("<g><title>{}</title>{}", html::escaped(bar.tip),
-                           words(left - 10, y + 10, "tick end", bar.label));
+                           svg_text(left - 10, y + 10, "tick end", bar.label));
         for (const BarPiece &piece : lay_out_shares({bar.bar}, left, y, width - left - right, step, thickness)) {
             svg += fmt::format(R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" class="p{}"/>)", piece.x,
                                piece.y, piece.width, piece.height, piece.part);
         }
-        svg += words(width - right + 10, y + 10, "tick", bar.value) + "</g>";
+        svg += svg_text(width - right + 10, y + 10, "tick", bar.value) + "</g>";
         y += step;
     }
     return open_svg(width, y + 2, title) + svg + "</svg>\n";

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "measure/report/plot_layout.h"
+#include "words/words.h"
 
 #include <functional>
 #include <string>
@@ -13,7 +14,7 @@ namespace sandbox {
 std::string plot_svg(const PlotRequest &request, const std::function<std::string(std::size_t)> &tip);
 
 /// The legend: line, marker and name of every series; `with_front`: of the front, too.
-std::string legend_html(const std::vector<std::string> &names, bool with_front);
+std::string legend_html(const Words &words, const std::vector<std::string> &names, bool with_front);
 
 struct LabelledBar {
     std::string label, value, tip;

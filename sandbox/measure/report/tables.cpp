@@ -4,6 +4,7 @@
 #include "measure/report/html.h"
 #include "measure/report/text.h"
 #include "measure/work_precision/claims.h"
+#include "words/row_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,14 +30,14 @@ std::string_view style_of(Settling settling) {
 }
 
 /// The steps of one model: a row per technique and kind of error, a column per step.
-std::string order_table(const WorkPrecision &m, const std::vector<OrderStep> &all, Model model) {
+std::string order_table(const Words &words, const WorkPrecision &m, const std::vector<OrderStep> &all, Model model) {
     std::vector<const OrderStep *> steps;
     for (const OrderStep &step : all) {
         if (m.rows[step.fine].plan.technique.model == model) {
             steps.push_back(&step);
         }
     }
-    std::vector<std::string> heads{"technique", "error"};
+    std::vector<std::string> heads = heads_of(words, {"technique", "error"});
     std::vector<std::size_t> columns; // the finer mesh of each
     for (const OrderStep *step : steps) {
         const std::size_t fine = m.rows[step->fine].plan.mesh;
@@ -46,7 +47,7 @@ std::string order_table(const WorkPrecision &m, const std::vector<OrderStep> &al
             heads.push_back(fmt::format("{} &rarr; {}", coarse.rings, m.meshes[fine].rings));
         }
     }
-    Table table(heads, fmt::format("{}: max / L2 / L1", name_of(model)));
+    Table table(heads, words.format("report.orders_of", title_of(words, model_key, static_cast<int>(model))));
     std::vector<Technique> techniques;
     for (const OrderStep *step : steps) {
         const Technique &technique = m.rows[step->fine].plan.technique;
@@ -61,7 +62,7 @@ std::string order_table(const WorkPrecision &m, const std::vector<OrderStep> &al
             }
             table.begin_row();
             table.text(whole ? technique_code(technique) : "");
-            table.text(whole ? "whole" : "interpolation", "q");
+            table.text(words.text(whole ? "report.whole" : "report.interpolation"), "q");
             for (const std::size_t column : columns) {
                 const auto step = std::ranges::find_if(steps, [&](const OrderStep *s) {
                     return m.rows[s->fine].plan.mesh == column && m.rows[s->fine].plan.technique == technique;
@@ -88,59 +89,51 @@ std::string order_ladder(const ReportRun &run) {
     const auto steps = convergence_orders(run.measured);
     std::string body;
     for (const Model model : richest_first(run.measured)) {
-        body += order_table(run.measured, steps, model);
+        body += order_table(run.words, run.measured, steps, model);
     }
-    return section(
-        "orders", "How fast the error falls as triangles halve",
-        "The order p = log<sub>2</sub>(e<sub>h</sub> / e<sub>h/2</sub>) of each step up the ladder. "
-        "Linear interpolation of something smooth gives 2 / 2 / 2, a kink (the terminator) 1 / 1.5 / 2, a "
-        "jump (a hard cone) 0 / 0.5 / 1. <span class=\"q\"><i>Grey and slanted: not settled yet</i></span>: the "
-        "order of the step before differs by more than 0.25, as it does while a highlight is narrower than the "
-        "triangles. "
-        "&ldquo;Whole&rdquo; is the picture against the truth; &ldquo;interpolation&rdquo; the technique "
-        "against per-pixel on the same mesh.",
-        body.empty() ? body : ladder_plots(run) + body);
+    return section("orders", run.words.text("report.orders"), run.words.text("report.orders.lead"),
+                   body.empty() ? body : ladder_plots(run) + body);
 }
 
 std::string cheapest_rows(const ReportRun &run) {
     const WorkPrecision &m = run.measured;
-    std::vector<std::string> heads{"model", "error"};
+    std::vector<std::string> heads = heads_of(run.words, {"model", "error"});
     for (const double bound : error_bounds) {
-        heads.push_back("at most " + bound_name(bound));
+        heads.push_back(run.words.format("report.at_most", bound_name(bound)));
     }
     Table table(heads);
     bool any = false;
     for (const Model model : richest_first(m)) {
         for (const ErrorNorm norm : error_norms) {
             table.begin_row();
-            table.text(name_of(model));
-            table.text(name_of(norm));
+            table.text(title_of(run.words, model_key, static_cast<int>(model)));
+            table.text(title_of(run.words, norm));
             for (const double bound : error_bounds) {
                 const auto row = cheapest(m, model, norm, bound);
                 if (!row) {
-                    table.text("none", "q");
+                    table.text(run.words.text("report.none"), "q");
                     continue;
                 }
                 any = true;
                 const MeasuredRow &found = m.rows[*row];
                 const std::size_t ties = ties_of(m, *row, norm, bound).size();
-                table.text(fmt::format(
-                    R"({}<br><span class="q">{}, {} ms{}</span>)", technique_code(found.plan.technique),
-                    escaped(mesh_words(run.words, m.meshes[found.plan.mesh])), milliseconds_text(found.time->median),
-                    ties == 0 ? "" : fmt::format("; a tie with {} other{}", ties, ties == 1 ? "" : "s")));
+                table.text(fmt::format(R"({}<br><span class="q">{}{}</span>)", technique_code(found.plan.technique),
+                                       run.words.format("report.mesh_ms",
+                                                        escaped(mesh_words(run.words, m.meshes[found.plan.mesh])),
+                                                        milliseconds_text(found.time->median)),
+                                       ties == 0   ? ""
+                                       : ties == 1 ? run.words.text("report.one_tie")
+                                                   : run.words.format("report.ties", ties)));
             }
         }
     }
-    return section(
-        "cheapest", "The cheapest technique that is close enough",
-        "The row of least median time among those whose error stays within the bound: one level of an 8-bit display, "
-        "one of a 10-bit display, and 1e-5. A tie: the quartiles of their run times overlap.",
-        any ? table.html() : std::string());
+    return section("cheapest", run.words.text("report.cheapest"), run.words.text("report.cheapest.lead"),
+                   any ? table.html() : std::string());
 }
 
 std::string specialisation(const ReportRun &run) {
     const WorkPrecision &m = run.measured;
-    Table table({"technique", "specialised, ms", "full, ms", "full / specialised", "time saved"});
+    Table table(heads_of(run.words, {"technique", "specialised_ms", "full_ms", "full_ratio", "saved"}));
     for (const TimeRatio &times : ratios_to_base(m, RowGroup::full_program)) {
         table.begin_row();
         table.text(technique_code(m.rows[times.base].plan.technique));
@@ -150,17 +143,13 @@ std::string specialisation(const ReportRun &run) {
         const double saved = 100 * (1 - 1 / times.median);
         table.number(saved, fmt::format("{} %", std::lround(saved)), times.lower_quartile > 1 ? "good" : "");
     }
-    return section(
-        "specialisation", "What leaving out saves",
-        "A specialised program holds only what the scene needs; the full program can draw every scene and branches "
-        "on uniforms. Measured on the scene's own mesh; the ratio is the median over the rounds, with the middle "
-        "half.",
-        table.html());
+    return section("specialisation", run.words.text("report.specialisation"),
+                   run.words.text("report.specialisation.lead"), table.html());
 }
 
 std::string power(const ReportRun &run) {
     const WorkPrecision &m = run.measured;
-    Table table({"technique", "RMSE of arithmetic", "largest", "with power=auto", "largest", "time / auto"});
+    Table table(heads_of(run.words, {"technique", "arithmetic", "largest", "auto", "largest", "auto_ratio"}));
     for (const TimeRatio &times : ratios_to_base(m, RowGroup::power)) {
         const auto &row = m.rows[times.row];
         const auto &base = m.rows[times.base];
@@ -176,18 +165,13 @@ std::string power(const ReportRun &run) {
         }
         table.number(times.median, ratio_text(times));
     }
-    return section(
-        "power", "Stable against textbook power",
-        "The error that float32 arithmetic alone adds, with f<sup>n</sup> by pow() and by the stable form. "
-        "power=auto is pow() below n = 1024 and the stable form from there on; the form that it equals here has "
-        "no row of its own.",
-        table.html());
+    return section("power", run.words.text("report.power"), run.words.text("report.power.lead"), table.html());
 }
 
 std::string claims(const ReportRun &run) {
     const WorkPrecision &m = run.measured;
-    Table table({"claim", "compared, with", "RMSE", "largest", "time ratio", "measured here"});
-    for (const Claim &claim : answer_claims(m)) {
+    Table table(heads_of(run.words, {"claim", "compared", "rmse", "largest", "time_ratio", "measured"}));
+    for (const Claim &claim : answer_claims(run.words, m)) {
         const MeasuredRow &row = m.rows[claim.row];
         const MeasuredRow &against = m.rows[claim.against];
         const Norms &error = row.errors->total.norms;
@@ -201,10 +185,7 @@ std::string claims(const ReportRun &run) {
         table.number(claim.time.median, ratio_text(claim.time));
         table.text(escaped(claim.finding));
     }
-    return section("claims", "Claims, measured",
-                   "Shortcuts that tutorials recommend, on the scene's own mesh. A time counts as different where the "
-                   "middle half of the rounds agrees on it.",
-                   table.html());
+    return section("claims", run.words.text("report.claims"), run.words.text("report.claims.lead"), table.html());
 }
 
 } // namespace sandbox::html

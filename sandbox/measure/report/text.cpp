@@ -49,7 +49,13 @@ std::string title_of(const Words &words, ErrorNorm norm) { return row_text(words
 std::string long_title_of(const Words &words, ErrorNorm norm) {
     return row_text(words, norm_key(norm) + ".long", quantity_of(norm).meaning);
 }
+std::string unit_title(const Words &words, std::string_view unit) {
+    return unit.empty() ? "" : row_text(words, fmt::format("unit.{}", unit), unit);
+}
 std::string title_of(const Words &words, const Mask &mask) { return row_text(words, mask_key(mask), mask.name); }
+std::string heading_of(const Words &words, const ErrorPart &part) {
+    return row_text(words, part_key(part) + ".heading", part.heading);
+}
 std::string title_of(const Words &words, const ErrorPart &part) {
     return row_text(words, part_key(part), part.meaning);
 }
@@ -66,8 +72,10 @@ std::string why_untrusted(const Words &words, const Metrics &metrics) {
             causes.push_back(fmt::format("{} {}", title_of(words, mask), metrics.*mask.pixels));
         }
     }
-    return shown == 0 ? words.text("untrusted.nothing")
-                      : words.format("untrusted", metrics.compared_pixels, shown, fmt::join(causes, ", "));
+    const std::string list = fmt::format("{}", fmt::join(causes, words.text("list.comma")));
+    return shown == 0                     ? words.text("untrusted.nothing")
+           : metrics.compared_pixels == 0 ? words.format("untrusted.none", shown, list)
+                                          : words.format("untrusted", metrics.compared_pixels, shown, list);
 }
 
 std::map<std::string, std::string> measured_row_texts() {
@@ -79,8 +87,25 @@ std::map<std::string, std::string> measured_row_texts() {
     for (const Mask &mask : masks) {
         texts.emplace(mask_key(mask), mask.name);
     }
+    const auto add = [&](const auto &row) {
+        texts.emplace(fmt::format("metric.{}", row.name), row.meaning);
+        if (!row.unit.empty()) {
+            texts.emplace(fmt::format("unit.{}", row.unit), row.unit);
+        }
+        if (!row.heading.empty()) {
+            texts.emplace(fmt::format("metric.{}.heading", row.name), row.heading);
+        }
+    };
+    for_each_metric(Metrics{}, [&](const auto &row, const auto &) { add(row); });
+    for (const Quantity<RunTime> &row : run_time_quantities) {
+        add(row);
+    }
+    for (const Quantity<Accounting> &row : accounting_quantities) {
+        add(row);
+    }
     for (const ErrorPart &part : error_parts) {
         texts.emplace(part_key(part), part.meaning);
+        texts.emplace(part_key(part) + ".heading", part.heading);
     }
     return texts;
 }

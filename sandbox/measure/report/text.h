@@ -1,7 +1,7 @@
 #pragma once
 
 #include "measure/work_precision/findings.h"
-#include "words/words.h"
+#include "words/row_words.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -32,6 +32,16 @@ std::string title_of(const Words &words, ErrorNorm norm);
 std::string long_title_of(const Words &words, ErrorNorm norm);
 /// "silhouette"
 std::string title_of(const Words &words, const Mask &mask);
+/// "8-bit levels"
+std::string unit_title(const Words &words, std::string_view unit);
+/// What a quantity is: "largest error"; the head of its column on a page, without soft hyphens: "largest".
+template <class T> std::string meaning_of(const Words &words, const Quantity<T> &row) {
+    return row_text(words, fmt::format("metric.{}", row.name), row.meaning);
+}
+template <class T> std::string heading_of(const Words &words, const Quantity<T> &row) {
+    return row_text(words, fmt::format("metric.{}.heading", row.name), row.heading);
+}
+std::string heading_of(const Words &words, const ErrorPart &part);
 /// "float32 arithmetic"
 std::string title_of(const Words &words, const ErrorPart &part);
 /// As why_untrusted().

@@ -10,7 +10,7 @@ std::string two_digits(double value) {
     return value >= 100 ? fmt::format("{:.0f}", value) : fmt::format("{:.2g}", value);
 }
 
-std::string error_words(double error, double base) {
+std::string error_words(const Words &words, double error, double base) {
     if (!std::isfinite(error) || !std::isfinite(base)) {
         return "a picture that is not finite";
     }
@@ -18,24 +18,25 @@ std::string error_words(double error, double base) {
         return "the same error";
     }
     if (base == 0 || error == 0) {
-        return error == 0 ? "no error at all" : "an error where there was none";
+        return words.text(error == 0 ? "answer.no_error" : "answer.new_error");
     }
     const double ratio = error / base;
-    return std::abs(ratio - 1) < 0.02 ? "the same error within 2 %" : two_digits(ratio) + " times the error";
+    return std::abs(ratio - 1) < 0.02 ? words.text("answer.same_error")
+                                      : words.format("answer.times", two_digits(ratio));
 }
 
 /// A difference counts where the middle half of the rounds agrees on its sign.
-std::string time_words(const TimeRatio &time) {
-    const std::string percent = two_digits(100 * std::abs(time.median - 1)) + " %";
+std::string time_words(const Words &words, const TimeRatio &time) {
+    const std::string percent = two_digits(100 * std::abs(time.median - 1));
     if (time.upper_quartile < 1) {
-        return percent + " less time";
+        return words.format("answer.less_time", percent);
     }
-    return time.lower_quartile > 1 ? percent + " more time" : "no measurable difference in time";
+    return time.lower_quartile > 1 ? words.format("answer.more_time", percent) : words.text("answer.same_time");
 }
 
 } // namespace
 
-std::vector<Claim> answer_claims(const WorkPrecision &measured) {
+std::vector<Claim> answer_claims(const Words &words, const WorkPrecision &measured) {
     std::vector<Claim> claims;
     const auto answer = [&](const std::string &says, const Technique &technique, const Technique &against) {
         const auto row = find_row(measured, own_mesh(measured), technique);
@@ -46,8 +47,10 @@ std::vector<Claim> answer_claims(const WorkPrecision &measured) {
         const auto rmse = [&](std::size_t i) { return measured.rows[i].errors->total.norms.rmse; };
         const TimeRatio time = *time_ratio(measured, *row, *base);
         const bool marked = !measured.rows[*row].mark().empty() || !measured.rows[*base].mark().empty();
-        const std::string error = marked ? "too little is compared to say" : error_words(rmse(*row), rmse(*base));
-        claims.push_back({says, *row, *base, time, error + ", " + time_words(time)});
+        const std::string error =
+            marked ? words.text("answer.too_little") : error_words(words, rmse(*row), rmse(*base));
+        claims.push_back(
+            {words.text(says), *row, *base, time, words.format("technique.pair", error, time_words(words, time))});
     };
     for (const Model model : richest_first(measured)) {
         const Technique per_pixel{.frequency = Frequency::per_pixel, .model = model};
@@ -60,17 +63,15 @@ std::vector<Claim> answer_claims(const WorkPrecision &measured) {
         };
         const Technique interpolated = with(per_pixel, &Technique::attenuation, AttenuationAt::interpolated);
         const Technique distance = with(per_pixel, &Technique::attenuation, AttenuationAt::distance_interpolated);
-        answer("Attenuation may be interpolated", interpolated, per_pixel);
-        answer("The distance may be interpolated", distance, per_pixel);
-        answer("Interpolate the distance rather than attenuation", distance, interpolated);
-        answer("The light vectors may be interpolated", vectors, per_pixel);
-        answer("Hybrid is nearly as good as per-pixel", hybrid, per_pixel);
-        answer("Hybrid is better than per-vertex", hybrid, per_vertex);
+        answer("answer.attenuation", interpolated, per_pixel);
+        answer("answer.distance", distance, per_pixel);
+        answer("answer.rather_distance", distance, interpolated);
+        answer("answer.vectors", vectors, per_pixel);
+        answer("answer.hybrid_good", hybrid, per_pixel);
+        answer("answer.hybrid_better", hybrid, per_vertex);
         for (const Technique &technique : {per_pixel, per_vertex}) {
-            answer("The viewer may be infinitely far away", with(technique, &Technique::viewer, Viewer::infinite),
-                   technique);
-            answer("One half vector a light is enough", with(technique, &Technique::half_vector, HalfVector::constant),
-                   technique);
+            answer("answer.viewer", with(technique, &Technique::viewer, Viewer::infinite), technique);
+            answer("answer.half_vector", with(technique, &Technique::half_vector, HalfVector::constant), technique);
         }
     }
     return claims;

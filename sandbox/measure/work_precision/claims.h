@@ -1,6 +1,7 @@
 #pragma once
 
 #include "measure/work_precision/findings.h"
+#include "words/words.h"
 
 #include <string>
 #include <vector>
@@ -15,6 +16,6 @@ struct Claim {
     std::string finding; ///< in words, from the numbers alone
 };
 /// The claims that this measurement can answer, those of the richest model first.
-std::vector<Claim> answer_claims(const WorkPrecision &measured);
+std::vector<Claim> answer_claims(const Words &words, const WorkPrecision &measured);
 
 } // namespace sandbox

@@ -4,10 +4,11 @@
 
 namespace sandbox {
 
-ClaimsJob::ClaimsJob(const DrawingSupplies &supplies, const std::shared_ptr<const ShownStep> &shown)
+ClaimsJob::ClaimsJob(const DrawingSupplies &supplies, const std::shared_ptr<const ShownStep> &shown, const Words &words)
     : shared_(std::make_shared<Shared>()) {
-    const auto work = [shared = shared_, shown](Renderer &renderer, JobReporter &reporter) {
+    const auto work = [shared = shared_, shown, words](Renderer &renderer, JobReporter &reporter) {
         LessonDraw draw = lessons_drawn_by(renderer);
+        draw.words = words;
         draw.picture = [&reporter, picture = draw.picture](const Scene &scene, const Technique &technique, Size size) {
             return reporter.cancelled() ? throw Cancelled() : picture(scene, technique, size);
         };

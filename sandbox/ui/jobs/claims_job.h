@@ -14,7 +14,7 @@ namespace sandbox {
 class ClaimsJob {
   public:
     /// Throws MachineError (see Context::make_worker).
-    ClaimsJob(const DrawingSupplies &supplies, const std::shared_ptr<const ShownStep> &shown);
+    ClaimsJob(const DrawingSupplies &supplies, const std::shared_ptr<const ShownStep> &shown, const Words &words);
     /// As far as it has come, in the order of the claims.
     [[nodiscard]] std::vector<ClaimResult> results() const;
     [[nodiscard]] BackgroundJob &job() { return job_->job(); }

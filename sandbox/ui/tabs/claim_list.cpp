@@ -86,7 +86,7 @@ void claim_list(Session &session, std::span<const LessonClaim> claims, std::span
     heading(session.text("lesson_tab.claims"));
     for (std::size_t i = 0; i < claims.size(); ++i) {
         const bool ready = i < measured.size();
-        claim_row(session, i + 1, ready ? measured[i] : claim_words(claims[i]),
+        claim_row(session, i + 1, ready ? measured[i] : claim_words(session.words, claims[i]),
                   ready ? mark_of(measured[i]) : Mark::none);
     }
 }

@@ -254,7 +254,7 @@ void LessonTab::follow(Session &session, ViewPainter &) {
     } else if (measured_[shown->number].size() < shown->step().claims.size() && !failures_.contains(shown->number)) {
         try {
             measures_ = shown;
-            job_ = std::make_unique<ClaimsJob>(supplies_, shown);
+            job_ = std::make_unique<ClaimsJob>(supplies_, shown, session.words);
         } catch (const std::exception &error) { // no second OpenGL context
             failures_[shown->number] = error.what();
         }

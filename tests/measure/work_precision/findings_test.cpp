@@ -1,4 +1,5 @@
 #include "measure/work_precision/claims.h"
+#include "tools/english.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -114,13 +115,13 @@ TEST(Findings, ClaimsAreAnsweredFromTheNumbers) {
     pixel.time = run_time({10, 10, 10});
     infinite_viewer.time = run_time({9, 9, 9});
     measured.rows = {pixel, infinite_viewer};
-    const auto claims = answer_claims(measured);
+    const auto claims = answer_claims(english, measured);
     ASSERT_EQ(claims.size(), 1U);
     EXPECT_EQ(claims[0].row, 1U);
     EXPECT_EQ(claims[0].against, 0U);
     EXPECT_EQ(claims[0].finding, "5 times the error, 10 % less time");
     measured.rows[1].errors->total.compared_share = 0.4;
-    EXPECT_EQ(answer_claims(measured)[0].finding, "too little is compared to say, 10 % less time");
+    EXPECT_EQ(answer_claims(english, measured)[0].finding, "too little is compared to say, 10 % less time");
 }
 
 } // namespace
