@@ -2,6 +2,7 @@
 
 #include "capture/picture.h"
 #include "image/difference.h"
+#include "ui/views/view_captions.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -83,7 +84,7 @@ void difference_controls(Session &session, const ViewPainter &painter, const Rec
     ImGui::SameLine();
     ImGui::TextUnformatted(session.text("difference.gain").c_str());
     ImGui::SameLine();
-    ImGui::SetNextItemWidth(em * 7);
+    ImGui::SetNextItemWidth(em * (picture.width() < em * 36 ? 2.5F : 7.0F));
     slider(session, row_of(session, "difference.gain", gain_range), session.view.gain, ViewSettings{}.gain);
     ImGui::SameLine();
     const double largest = painter.largest_difference();
@@ -93,7 +94,9 @@ void difference_controls(Session &session, const ViewPainter &painter, const Rec
     }
     ImGui::SameLine();
     const bool edges = session.view.difference_of != DifferenceOf::a_b && std::isfinite(largest) && largest > 0;
-    const std::string text = difference_text(session.words, largest) + (edges ? session.text("difference.edges") : "");
+    const std::string text =
+        shortened(difference_text(session.words, largest) + (edges ? session.text("difference.edges") : ""),
+                  picture.high.x - ImGui::GetCursorScreenPos().x);
     ImGui::TextColored(std::isfinite(largest) ? ImGui::GetStyleColorVec4(ImGuiCol_Text) : error_text(), "%s",
                        painter.difference_texture() != 0 ? text.c_str() : "");
     describe_item(session, "largest", "", text);

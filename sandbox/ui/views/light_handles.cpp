@@ -95,7 +95,11 @@ void draw_lights(Session &session, const Rect &picture) {
         draw_light(session, light, picture);
     }
     if (session.view.drawn_over.lights && lights.empty()) {
-        draw_text_line(session, "lights", picture, picture.low.y, quiet_text(), session.text("view.no_lamp"), false);
+        ImGui::GetWindowDrawList()->AddRectFilled(picture.low,
+                                                  {picture.high.x, picture.low.y + ImGui::GetFrameHeight()},
+                                                  ImGui::GetColorU32(ImGuiCol_PopupBg));
+        draw_text_line(session, "lights", picture, picture.low.y, ImGui::GetStyleColorVec4(ImGuiCol_Text),
+                       shortened(session.text("view.no_lamp"), picture.width() - ImGui::GetFontSize()), false);
     }
     ImGui::GetWindowDrawList()->PopClipRect();
 }

@@ -38,18 +38,6 @@ std::size_t last_break(const std::string &text) {
     return is_word && space != std::string::npos ? space : is_word && space == std::string::npos ? 0 : character;
 }
 
-/// With dots in place of the words that do not fit.
-std::string shortened(std::string text, float width) {
-    const auto fits = [&](const std::string &t) { return ImGui::CalcTextSize(t.c_str()).x <= width; };
-    if (fits(text)) {
-        return text;
-    }
-    while (!text.empty() && !fits(text + " ...")) {
-        text.erase(last_break(text));
-    }
-    return text + " ...";
-}
-
 /// "    attenuation per vertex, power: stable": what differs from the defaults, faults under people's names.
 std::string deviations(const Words &words, const Technique &technique) {
     std::string names;
@@ -82,7 +70,7 @@ std::string differing_keys(const Words &words, const Document &document) {
     std::vector<std::string> names;
     for (const TechniqueKey &key : technique_keys()) {
         if (key.get(document.left) != key.get(document.right)) {
-            names.push_back(title_of(words, key));
+            names.push_back(key.name == frequency_key.name ? words.text("header.frequency") : title_of(words, key));
         }
     }
     if (document.mesh_factors[0] != document.mesh_factors[1]) {
@@ -120,11 +108,12 @@ std::vector<std::string> error_texts(const Words &words, const SideFindings &sid
     }
     const double most = metrics.norms.max_abs, rmse = metrics.norms.rmse;
     const int levels = metrics.max_levels.value_or(0);
-    const std::string max = words.format(levels == 0   ? "caption.no_level"
+    const bool seen = most >= 1.0 / 255; // a smaller error, too, may round to another level
+    const std::string max = words.format(!seen         ? "caption.no_level"
                                          : levels == 1 ? "caption.one_level"
                                                        : "caption.levels",
                                          most, levels);
-    const std::string short_max = fmt::format("{:.2g} ({})", most, levels);
+    const std::string short_max = seen ? fmt::format("{:.2g} ({})", most, levels) : fmt::format("{:.2g} (<1)", most);
     std::vector<std::string> texts{words.format("caption.error_whole", max, rmse),
                                    words.format("caption.error", max, rmse),
                                    words.format("caption.error", short_max, rmse),
@@ -187,6 +176,17 @@ std::string description_of(const Session &session) {
 
 } // namespace
 
+std::string shortened(std::string text, float width) {
+    const auto fits = [&](const std::string &t) { return ImGui::CalcTextSize(t.c_str()).x <= width; };
+    if (fits(text)) {
+        return text;
+    }
+    while (!text.empty() && !fits(text + " ...")) {
+        text.erase(last_break(text));
+    }
+    return text + " ...";
+}
+
 float captions_above() { return ImGui::GetFrameHeight() * 3; }
 float captions_below() { return ImGui::GetFrameHeight() * 2; }
 
@@ -208,7 +208,7 @@ void draw_header(Session &session, const ViewPainter &painter, ImVec2 corner, fl
     draw_text_line(session, "View/differ", rect, corner.y, ImGui::GetStyleColorVec4(ImGuiCol_Text),
                    header_text(session, painter), false);
     const std::string description = description_of(session);
-    draw_text_line(session, "View/description", rect, corner.y + line, quiet_text(),
+    draw_text_line(session, "View/description", rect, corner.y + line, ImGui::GetStyleColorVec4(ImGuiCol_Text),
                    shortened(description, width - ImGui::GetFontSize()), false);
     if (ImGui::IsMouseHoveringRect({corner.x, corner.y + line}, rect.high)) {
         session.hint = description;
@@ -228,10 +228,12 @@ void draw_captions(Session &session, const ViewPainter &painter, const Rect &pic
 }
 
 void draw_truth_captions(Session &session, const Rect &picture, bool right) {
-    draw_text_line(session, "Truth/name", picture, picture.low.y - ImGui::GetFrameHeight(),
-                   ImGui::GetStyleColorVec4(ImGuiCol_Text),
-                   truth_label(session.words, session.technique(right), session.document.mesh_factors[right ? 1 : 0]),
-                   false);
+    draw_text_line(
+        session, "Truth/name", picture, picture.low.y - ImGui::GetFrameHeight(),
+        ImGui::GetStyleColorVec4(ImGuiCol_Text),
+        shortened(truth_label(session.words, session.technique(right), session.document.mesh_factors[right ? 1 : 0]),
+                  picture.width() - ImGui::GetFontSize()),
+        false);
 }
 
 void draw_mask_legend(const Session &session, const ViewPainter &painter, const Rect &picture, bool right,

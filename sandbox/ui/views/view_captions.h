@@ -18,6 +18,8 @@ void draw_captions(Session &session, const ViewPainter &painter, const Rect &pic
 /// The same for a picture of the reference of a side's model.
 void draw_truth_captions(Session &session, const Rect &picture, bool right);
 
+/// With dots in place of the last words where it is wider than `width`.
+std::string shortened(std::string text, float width);
 /// A line of text at the left or right of `rect`, clipped to it. Scripts call it `name`.
 void draw_text_line(Session &session, const std::string &name, const Rect &rect, float y, ImVec4 color,
                     const std::string &text, bool align_right);
