@@ -32,7 +32,7 @@ bool has_display_server() {
 
 /// A window runs for hours and makes pictures on several threads: what is freed goes back to the system. Left alone,
 /// glibc raises its threshold up to 32 MiB, and pictures tear holes into the heaps of threads that have ended.
-void give_memory_back() {
+void keep_no_freed_pictures() {
 #ifdef __GLIBC__
     mallopt(M_MMAP_THRESHOLD, 256 * 1024);
     mallopt(M_ARENA_MAX, 2);
@@ -40,7 +40,7 @@ void give_memory_back() {
 }
 
 int run_view(const ViewFlags &flags, const CommonOptions &common) {
-    give_memory_back();
+    keep_no_freed_pictures();
     WindowOptions options;
     options.assets = scene_assets(common);
     options.shaders = shader_assets(common);
