@@ -75,7 +75,7 @@ click "Mesh/in A alone/1/4"
 click "Mesh/in B alone/2"
 expect A/name "mesh x 1/4"
 expect B/name "mesh x 2"
-expect View/differ "frequency, mesh"
+expect View/differ "frequency (where the equation runs), mesh"
 expect Mesh/triangles "A: 48 triangles, B: 3968"
 click "Mesh/in A and B/2"
 expect Mesh/rings 32
@@ -121,12 +121,12 @@ shot 1b.png
 
 TEST_F(ScriptGl, TheTruthStandsUnderEachView) {
     EXPECT_PLAYED(play(R"(
-expect View/differ "A and B differ in: frequency, where the equation runs"
+expect View/differ "A and B differ in: frequency (where the equation runs)"
 expect View/description "highlights"
 expect A/error "max 0."
 expect B/error "max "
 key 5
-expect Truth/name "Phong, per pixel"
+expect Truth/name "truth  Blinn-Phong, per"
 key 4
 click Difference/fit
 click "Difference/B − truth"
@@ -140,7 +140,7 @@ click "Difference/A − B"
 expect Difference/largest "no pixel differs"
 )"));
     EXPECT_PLAYED(
-        play("expect View/differ \"A and B differ in: frequency, where the equation runs\"\nexpect A/name \"per-vertex / blinn-phong\"\n"
+        play("expect View/differ \"A and B differ in: frequency (where the equation runs)\"\nexpect A/name \"per-vertex / blinn-phong\"\n"
              "expect View/description highlights\n",
              {})); // the opening picture
     // A box, small: on a busy machine, too, enough draws fit into the second that timing may take.
@@ -323,7 +323,7 @@ click Scene
 click Scene/vase
 expect Status vase
 expect A/name "per-vertex / blinn-phong"
-expect View/differ "A and B differ in: frequency, where the equation runs"
+expect View/differ "A and B differ in: frequency (where the equation runs)"
 click GLSL
 expect "GLSL/A/line 1" "#version"
 click Stability
