@@ -6,19 +6,10 @@
 #include <fmt/format.h>
 #include <imgui.h>
 #include <string>
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 namespace sandbox {
 
 void wake_window() { glfwPostEmptyEvent(); }
-
-MemoryReturn::~MemoryReturn() {
-#ifdef __GLIBC__
-    malloc_trim(0);
-#endif
-}
 
 void job_progress_row(Session &session, BackgroundJob &job) {
     const bool cancelled = job.cancelled();

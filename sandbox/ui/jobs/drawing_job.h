@@ -24,11 +24,6 @@ struct DrawingSupplies {
 /// Ends the window's waiting for events; from any thread.
 void wake_window();
 
-/// When it ends, pages that lie free in the heaps go back to the system.
-struct MemoryReturn {
-    ~MemoryReturn();
-};
-
 /// One row in the current ImGui window: "Cancel", how far the job is, what it is doing.
 void job_progress_row(Session &session, BackgroundJob &job);
 
@@ -52,7 +47,6 @@ template <typename Result> class DrawingJob {
     [[nodiscard]] Result take_result() { return std::move(*result_); }
 
   private:
-    MemoryReturn memory_; ///< first: a context leaves tens of megabytes
     std::unique_ptr<WorkerContext> context_;
     std::optional<Result> result_;
     BackgroundJob job_; ///< last: ends before what it uses
