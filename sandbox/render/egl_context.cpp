@@ -5,9 +5,11 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <fmt/format.h>
+#include <glad/gl.h>
 
 #include <array>
 #include <cstring>
+#include <utility>
 #include <vector>
 
 namespace sandbox {
@@ -44,42 +46,76 @@ constexpr std::array<EGLint, 7> core_3_3{
     EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
     EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
 
+/// An initialised display, and how contexts on it are configured.
+class OpenDisplay {
+  public:
+    explicit OpenDisplay(EGLDisplay handle) : handle_(handle) {
+        initialised_ = handle_ != EGL_NO_DISPLAY && eglInitialize(handle_, nullptr, nullptr) == EGL_TRUE;
+        constexpr std::array<EGLint, 5> wanted{EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, 0, EGL_NONE};
+        EGLint count = 0;
+        usable_ = initialised_ && eglBindAPI(EGL_OPENGL_API) == EGL_TRUE &&
+                  eglChooseConfig(handle_, wanted.data(), &config_, 1, &count) == EGL_TRUE && count > 0;
+    }
+    ~OpenDisplay() {
+        if (initialised_) {
+            eglTerminate(handle_);
+        }
+    }
+    OpenDisplay(const OpenDisplay &) = delete;
+    OpenDisplay &operator=(const OpenDisplay &) = delete;
+
+    /// False where it cannot draw OpenGL.
+    [[nodiscard]] bool usable() const { return usable_; }
+    /// EGL_NO_CONTEXT if it refuses.
+    [[nodiscard]] EGLContext create_context(const EGLint *attributes) const {
+        return eglCreateContext(handle_, config_, EGL_NO_CONTEXT, attributes);
+    }
+    void destroy_context(EGLContext context) const { eglDestroyContext(handle_, context); }
+    /// EGL_NO_CONTEXT: none. False if it refuses.
+    [[nodiscard]] bool make_current(EGLContext context) const {
+        eglBindAPI(EGL_OPENGL_API); // of this thread
+        return eglMakeCurrent(handle_, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_TRUE;
+    }
+
+  private:
+    EGLDisplay handle_;
+    EGLConfig config_ = nullptr;
+    bool initialised_ = false, usable_ = false;
+};
+
 class EglWorker final : public WorkerContext {
   public:
-    EglWorker(EGLDisplay display, EGLConfig config)
-        : display_(display), context_(eglCreateContext(display, config, EGL_NO_CONTEXT, core_3_3.data())) {
+    /// Throws MachineError.
+    explicit EglWorker(std::shared_ptr<const OpenDisplay> display)
+        : display_(std::move(display)), context_(display_->create_context(core_3_3.data())) {
         if (context_ == EGL_NO_CONTEXT) {
             throw MachineError("there can be no second OpenGL context (EGL error {:#06x})", eglGetError());
         }
     }
-    ~EglWorker() override { eglDestroyContext(display_, context_); }
+    ~EglWorker() override { display_->destroy_context(context_); }
     EglWorker(const EglWorker &) = delete;
     EglWorker &operator=(const EglWorker &) = delete;
 
   private:
     void make_current() const override {
-        eglBindAPI(EGL_OPENGL_API); // of this thread
-        if (eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) != EGL_TRUE) {
+        if (!display_->make_current(context_)) {
             throw MachineError("the second OpenGL context cannot be made current (EGL error {:#06x})", eglGetError());
         }
     }
-    void release() const override { eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
+    void release() const override { static_cast<void>(display_->make_current(EGL_NO_CONTEXT)); }
 
-    EGLDisplay display_;
+    std::shared_ptr<const OpenDisplay> display_;
     EGLContext context_;
 };
 
-/// A display that was initialised, and a context on it that is current without a surface.
+/// A display, and a context on it that is current without a surface.
 class EglContext final : public Context {
   public:
-    explicit EglContext(EGLDisplay display) : display_(display) {}
+    explicit EglContext(EGLDisplay display) : display_(std::make_shared<OpenDisplay>(display)) {}
     ~EglContext() override {
         if (context_ != EGL_NO_CONTEXT) {
-            eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-            eglDestroyContext(display_, context_);
-        }
-        if (initialised_) {
-            eglTerminate(display_);
+            static_cast<void>(display_->make_current(EGL_NO_CONTEXT));
+            display_->destroy_context(context_);
         }
     }
     EglContext(const EglContext &) = delete;
@@ -88,13 +124,7 @@ class EglContext final : public Context {
     /// Makes an OpenGL 3.3 core context current. False where this display has none; then `found` says which version it
     /// has instead, unless an earlier display has said that already.
     bool start(std::string &found) {
-        initialised_ = display_ != EGL_NO_DISPLAY && eglInitialize(display_, nullptr, nullptr) == EGL_TRUE;
-        if (!initialised_ || eglBindAPI(EGL_OPENGL_API) != EGL_TRUE) {
-            return false;
-        }
-        constexpr std::array<EGLint, 5> wanted{EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, 0, EGL_NONE};
-        EGLint count = 0;
-        if (eglChooseConfig(display_, wanted.data(), &config_, 1, &count) != EGL_TRUE || count == 0) {
+        if (!display_->usable()) {
             return false;
         }
         if (make_current(core_3_3.data())) {
@@ -108,16 +138,17 @@ class EglContext final : public Context {
     }
 
     [[nodiscard]] std::unique_ptr<WorkerContext> make_worker() const override {
-        return std::make_unique<EglWorker>(display_, config_);
+        auto apart = software() ? make_software_worker(renderer()) : nullptr;
+        static_cast<void>(display_->make_current(context_));
+        return apart ? std::move(apart) : std::make_unique<EglWorker>(display_);
     }
 
   private:
     bool make_current(const EGLint *attributes) {
         if (context_ == EGL_NO_CONTEXT) {
-            context_ = eglCreateContext(display_, config_, EGL_NO_CONTEXT, attributes);
+            context_ = display_->create_context(attributes);
         }
-        return context_ != EGL_NO_CONTEXT &&
-               eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_TRUE;
+        return context_ != EGL_NO_CONTEXT && display_->make_current(context_);
     }
 
     /// Of the current context, whose functions are not loaded because it is too old.
@@ -128,10 +159,8 @@ class EglContext final : public Context {
         return version != nullptr ? reinterpret_cast<const char *>(version) : "of an unknown version";
     }
 
-    EGLDisplay display_;
-    EGLConfig config_ = nullptr;
+    std::shared_ptr<const OpenDisplay> display_;
     EGLContext context_ = EGL_NO_CONTEXT;
-    bool initialised_ = false;
 };
 
 } // namespace
@@ -146,6 +175,29 @@ std::unique_ptr<Context> make_egl_context() {
     }
     throw MachineError("OpenGL 3.3 is needed, found {}: {}", found.empty() ? "no OpenGL through EGL" : found,
                        opengl_install_hint);
+}
+
+std::unique_ptr<WorkerContext> make_software_worker(const std::string &renderer) {
+    const EGLDisplay current = eglGetCurrentDisplay();
+    for (const EGLDisplay candidate : candidate_displays()) {
+        if (candidate == current) {
+            continue;
+        }
+        const auto display = std::make_shared<const OpenDisplay>(candidate);
+        if (!display->usable()) {
+            continue;
+        }
+        try {
+            auto worker = std::make_unique<EglWorker>(display);
+            const WorkerContext::Current here(*worker);
+            if (reinterpret_cast<const char *>(glGetString(GL_RENDERER)) == renderer) {
+                return worker;
+            }
+        } catch (const MachineError &) {
+            continue; // another may do
+        }
+    }
+    return nullptr;
 }
 
 } // namespace sandbox

@@ -1,6 +1,7 @@
 #include "render/glfw_context.h"
 
 #include "image/error.h"
+#include "render/egl_context.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -38,13 +39,18 @@ class WindowWorker final : public WorkerContext {
 
 class WindowContext : public Context {
   public:
-    explicit WindowContext(GLFWwindow *window) {
+    explicit WindowContext(GLFWwindow *window) : window_(window) {
         use_context(window);
         load_functions(glfwGetProcAddress);
     }
     [[nodiscard]] std::unique_ptr<WorkerContext> make_worker() const override {
-        return std::make_unique<WindowWorker>();
+        auto apart = software() ? make_software_worker(renderer()) : nullptr;
+        use_context(window_);
+        return apart ? std::move(apart) : std::make_unique<WindowWorker>();
     }
+
+  private:
+    GLFWwindow *window_;
 };
 
 class HiddenWindow {

@@ -25,6 +25,7 @@ class ProgramCache {
 
     /// After the parts changed: each program is built again when next needed, its last good one kept in case.
     void rebuild_all();
+    void forget_all() { entries_.clear(); }
     /// The last build error since then; empty when all is well.
     [[nodiscard]] const std::string &error() const { return error_; }
     [[nodiscard]] int built() const { return built_; }

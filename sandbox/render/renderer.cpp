@@ -296,6 +296,7 @@ bool Renderer::reload_changed_parts() {
     return true;
 }
 
+void Renderer::forget_programs() { impl_->programs.forget_all(); }
 const std::string &Renderer::shader_error() const { return impl_->programs.error(); }
 int Renderer::programs_built() const { return impl_->programs.built(); }
 Resources &Renderer::resources() { return impl_->resources; }

@@ -27,7 +27,10 @@ std::string write_picture(const ShownPicture &picture, Renderer &renderer, const
 
 CaptureQueue::~CaptureQueue() {
     while (job_ || !waiting_.empty()) {
-        job_.reset(); // waits
+        if (job_) {
+            job_->job().wait();
+            job_.reset();
+        }
         begin_next();
     }
 }
@@ -50,8 +53,8 @@ void CaptureQueue::begin_next() {
     const ShownPicture picture = std::move(waiting_.front());
     waiting_.pop_front();
     try {
-        job_.emplace(supplies_, [picture, by = supplies_.by](Renderer &renderer, JobReporter & /*reporter*/) {
-            return write_picture(picture, renderer, by);
+        job_.emplace(supplies_, [picture, by = supplies_.by](DrawingTurn &turn, JobReporter & /*reporter*/) {
+            return write_picture(picture, turn.renderer(), by);
         });
     } catch (const MachineError &) { // there can be no second context
         try {
@@ -65,7 +68,7 @@ void CaptureQueue::begin_next() {
 std::optional<CaptureQueue::Outcome> CaptureQueue::take_outcome() {
     if (job_ && job_->job().state() != JobState::running) {
         const bool done = job_->job().state() == JobState::done;
-        outcome_ = done ? Outcome{job_->take_result(), ""} : Outcome{"", job_->job().error()};
+        outcome_ = done ? Outcome{job_->take_result().value_or(""), ""} : Outcome{"", job_->job().error()};
         job_.reset();
     }
     std::optional<Outcome> outcome = std::exchange(outcome_, std::nullopt);

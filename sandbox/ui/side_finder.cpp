@@ -3,7 +3,6 @@
 #include "capture/samples.h"
 #include "image/error.h"
 #include "measure/stability/textbook.h"
-#include "reference/parallel.h"
 #include "ui/jobs/side_findings.h"
 #include "ui/views/painters.h"
 
@@ -12,43 +11,25 @@
 
 namespace sandbox {
 
-SideFinder::~SideFinder() {
-    job_.reset();
-    if (renderer_) {
-        const WorkerContext::Current current(*context_); // the window's own is current no more
-        renderer_.reset();
-    }
-}
-
 /// False if there can be no second context.
 bool SideFinder::start_job(Task task, Work work) {
-    if (!context_) {
-        try {
-            context_ = supplies_.context->make_worker();
-        } catch (const MachineError &) {
-            impossible_ = true;
-            return false;
-        }
-    }
     task_ = task;
-    job_ = std::make_unique<BackgroundJob>(
-        [this, work = std::move(work)](JobReporter &reporter) {
-            const WorkerContext::Current current(*context_);
-            if (!renderer_) {
-                renderer_ = std::make_unique<Renderer>(supplies_.assets, ShaderParts(supplies_.shaders));
-            }
-            renderer_->reload_changed_parts();
-            work(*renderer_, reporter);
-        },
-        wake_window);
-    return true;
+    try {
+        job_ = std::make_unique<DrawingJob<bool>>(supplies_, [work = std::move(work)](auto &turn, auto &reporter) {
+            work(turn, reporter);
+            return true;
+        });
+    } catch (const MachineError &) {
+        impossible_ = true;
+    }
+    return !impossible_;
 }
 
 void SideFinder::find_errors_of(const SidesShown &shown) {
     judged_ = shown;
     found_.reset();
-    start_job(Task::errors, [this, shown](Renderer &renderer, JobReporter &reporter) {
-        find_errors(shown, renderer, reporter, [&](const Findings &findings) {
+    start_job(Task::errors, [this, shown](DrawingTurn &turn, JobReporter &reporter) {
+        find_errors(shown, turn, reporter, [&](const Findings &findings) {
             {
                 const std::lock_guard lock(mutex_);
                 found_ = std::make_shared<const Findings>(findings);
@@ -61,19 +42,16 @@ void SideFinder::find_errors_of(const SidesShown &shown) {
 void SideFinder::smooth(const ViewKeys &keys) {
     smoothed_ = keys;
     smooth_.reset();
-    start_job(Task::smoothing, [this, keys](Renderer &renderer, JobReporter &reporter) {
+    start_job(Task::smoothing, [this, keys](DrawingTurn &turn, JobReporter &reporter) {
         SmoothPictures pictures{keys, {}};
         for (std::size_t side = 0; side < keys.size(); ++side) {
             const ViewKey &key = keys[side];
-            const DrawView draw = painters_of(renderer, key.overlays).draw;
-            try {
-                pictures.means[side] = std::make_shared<const Image>(
-                    draw_samples(key.scene, key.size, samples_at_rest, [&](const Scene &shifted) {
-                        return reporter.cancelled() ? throw Cancelled() : draw(shifted, key.technique, key.size);
-                    }));
-            } catch (const Cancelled &) {
-                return;
-            }
+            const DrawView draw = painters_of(turn.renderer(), key.overlays).draw;
+            pictures.means[side] = std::make_shared<const Image>(
+                draw_samples(key.scene, key.size, samples_at_rest, [&](const Scene &shifted) {
+                    turn.let_others_draw();
+                    return reporter.cancelled() ? throw Cancelled() : draw(shifted, key.technique, key.size);
+                }));
         }
         const std::lock_guard lock(mutex_);
         smooth_ = std::make_shared<const SmoothPictures>(std::move(pictures));
@@ -82,9 +60,9 @@ void SideFinder::smooth(const ViewKeys &keys) {
 
 void SideFinder::find_times_of(const SidesShown &shown) {
     timed_ = shown;
-    start_job(Task::times, [this, findings = *found_](Renderer &renderer, JobReporter &reporter) {
+    start_job(Task::times, [this, findings = *found_](DrawingTurn &turn, JobReporter &reporter) {
         Findings timed = findings;
-        if (find_times(timed, renderer, reporter)) {
+        if (find_times(timed, turn, reporter)) {
             const std::lock_guard lock(mutex_);
             found_ = std::make_shared<const Findings>(std::move(timed));
         }
@@ -95,7 +73,8 @@ void SideFinder::find_times_of(const SidesShown &shown) {
 void SideFinder::start_making(const SlowPicture &picture) {
     made_ = picture;
     made_image_.reset();
-    const bool started = start_job(Task::making, [this, picture](Renderer &renderer, JobReporter & /*reporter*/) {
+    const bool started = start_job(Task::making, [this, picture](DrawingTurn &turn, JobReporter & /*reporter*/) {
+        Renderer &renderer = turn.renderer();
         if (picture.textbook) {
             const auto resources = renderer.resources().load(picture.scene);
             made_image_ = textbook_picture(picture.scene, resources, picture.technique, picture.size).color;
@@ -131,7 +110,7 @@ void SideFinder::end_job(ViewPainter &painter) {
 
 /// Its end wakes the window; what it was to find is then unknown.
 void SideFinder::cancel_job() {
-    job_->cancel();
+    job_->job().cancel();
     judged_ = task_ == Task::errors ? std::nullopt : judged_;
     smoothed_ = task_ == Task::smoothing ? std::nullopt : smoothed_;
     timed_ = task_ == Task::times ? std::nullopt : timed_;
@@ -152,7 +131,7 @@ std::optional<SlowPicture> SideFinder::ahead(const Session &session, ViewPainter
 }
 
 void SideFinder::update(const Session &session, ViewPainter &painter) {
-    if (job_ && job_->state() != JobState::running) {
+    if (job_ && job_->job().state() != JobState::running) {
         end_job(painter);
     }
     if (impossible_) {
@@ -195,6 +174,6 @@ void SideFinder::update(const Session &session, ViewPainter &painter) {
     painter.show_smooth(smoothed_ == keys ? smooth_ : nullptr);
 }
 
-News SideFinder::take_news() { return job_ ? job_->take_news() : News::none; }
+News SideFinder::take_news() { return job_ ? job_->job().take_news() : News::none; }
 
 } // namespace sandbox

@@ -11,16 +11,12 @@
 
 namespace sandbox {
 
-/// In the background, with a renderer of its own: makes the pictures that the painter awaits and, while nothing is
-/// dragged and nothing plays, finds both sides' errors, then builds what the lesson's
-/// next step draws with, smooths the pictures, and takes run times. What is out of
-/// date is stopped.
+/// In the background: makes the pictures that the painter awaits and, while nothing is dragged and nothing plays, finds
+/// both sides' errors, then builds what the lesson's next step draws with, smooths the pictures, and takes run times.
+/// What is out of date is stopped.
 class SideFinder {
   public:
     explicit SideFinder(DrawingSupplies supplies) : supplies_(std::move(supplies)) {}
-    ~SideFinder();
-    SideFinder(const SideFinder &) = delete;
-    SideFinder &operator=(const SideFinder &) = delete;
 
     /// Before a frame: starts what is wanted; hands the painter what has been found out about what is shown.
     void update(const Session &session, ViewPainter &painter);
@@ -30,7 +26,7 @@ class SideFinder {
 
   private:
     enum class Task { making, errors, smoothing, times };
-    using Work = std::function<void(Renderer &, JobReporter &)>;
+    using Work = std::function<void(DrawingTurn &, JobReporter &)>;
     bool start_job(Task task, Work work);
     void start_making(const SlowPicture &picture);
     void find_errors_of(const SidesShown &shown);
@@ -41,9 +37,7 @@ class SideFinder {
     void cancel_job();
 
     DrawingSupplies supplies_;
-    std::unique_ptr<WorkerContext> context_;
-    std::unique_ptr<Renderer> renderer_; ///< lives in that context
-    bool impossible_ = false;            ///< there can be no second context
+    bool impossible_ = false; ///< there can be no second context
     /// What has been done, or is being done by the job.
     std::optional<SlowPicture> made_;
     std::optional<SidesShown> judged_, timed_;
@@ -54,7 +48,7 @@ class SideFinder {
     std::shared_ptr<const Findings> found_;        ///< guarded by mutex_; of judged_
     std::shared_ptr<const SmoothPictures> smooth_; ///< guarded by mutex_; of smoothed_
     Task task_ = Task::making;                     ///< the job's
-    std::unique_ptr<BackgroundJob> job_;           ///< while one runs; last: ends before what it uses
+    std::unique_ptr<DrawingJob<bool>> job_;        ///< while one runs; last: ends before what it uses
 };
 
 } // namespace sandbox

@@ -37,8 +37,8 @@ Document first_document(const WindowOptions &options) {
 Window::Window(const WindowOptions &options, Host &host)
     : assets_(options.assets), polls_shaders_(!options.shaders.folder().empty()),
       host_(host), drawn_by_{host.context().renderer(), host.context().version()}, gui_(host),
-      painter_(options.assets, options.shaders),
-      session_(first_document(options)), supplies_{options.assets, options.shaders, drawn_by_, &host.context()},
+      painter_(options.assets, options.shaders), session_(first_document(options)),
+      background_(host.context(), options.assets, options.shaders), supplies_{&background_, drawn_by_},
       bottom_(supplies_), finder_(supplies_), settings_(options.settings), settings_file_(options.settings_file),
       frames_left_(settling_frames), captures_(supplies_, painter_.renderer()) {
     show_view(options.file);

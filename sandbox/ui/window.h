@@ -91,6 +91,7 @@ class Window {
     Gui gui_;
     ViewPainter painter_;
     Session session_;
+    BackgroundRenderer background_;
     DrawingSupplies supplies_;
     BottomPanel bottom_;
     SideFinder finder_;

@@ -24,6 +24,7 @@ class JobReporter {
     /// False once the job has been cancelled; the work should then end soon.
     bool report(double share);
     [[nodiscard]] bool cancelled() const { return stop_.stop_requested(); }
+    [[nodiscard]] const std::stop_token &stop_token() const { return stop_; }
     /// There is something new to show, now.
     void wake();
     void say(std::string doing);
@@ -58,6 +59,8 @@ class BackgroundJob {
     BackgroundJob &operator=(const BackgroundJob &) = delete;
 
     void cancel() { thread_.request_stop(); }
+    /// Waits until it has ended by itself.
+    void wait() { thread_.join(); }
     [[nodiscard]] bool cancelled() const { return thread_.get_stop_token().stop_requested(); }
     /// The result may be read once this is no longer `running`.
     [[nodiscard]] JobState state() const;

@@ -1,28 +1,23 @@
 #include "ui/jobs/claims_job.h"
 
-#include "reference/parallel.h"
-
 namespace sandbox {
 
 ClaimsJob::ClaimsJob(const DrawingSupplies &supplies, const std::shared_ptr<const ShownStep> &shown, const Words &words)
     : shared_(std::make_shared<Shared>()) {
-    const auto work = [shared = shared_, shown, words](Renderer &renderer, JobReporter &reporter) {
-        LessonDraw draw = lessons_drawn_by(renderer);
+    const auto work = [shared = shared_, shown, words](DrawingTurn &turn, JobReporter &reporter) {
+        LessonDraw draw = lessons_drawn_by(turn.renderer());
         draw.words = words;
-        draw.picture = [&reporter, picture = draw.picture](const Scene &scene, const Technique &technique, Size size) {
+        draw.picture = [&, picture = draw.picture](const Scene &scene, const Technique &technique, Size size) {
+            turn.let_others_draw();
             return reporter.cancelled() ? throw Cancelled() : picture(scene, technique, size);
         };
-        try {
-            measure_step(shown->step(), draw, [&](const ClaimResult &result) {
-                {
-                    const std::lock_guard lock(shared->mutex);
-                    shared->results.push_back(result);
-                }
-                reporter.wake();
-            });
-        } catch (const Cancelled &) {
-            return false;
-        }
+        measure_step(shown->step(), draw, [&](const ClaimResult &result) {
+            {
+                const std::lock_guard lock(shared->mutex);
+                shared->results.push_back(result);
+            }
+            reporter.wake();
+        });
         return true;
     };
     job_ = std::make_unique<DrawingJob<bool>>(supplies, work);

@@ -13,7 +13,7 @@ namespace sandbox {
 /// Measures the claims of a lesson's step, one after the other. All member functions are for the main thread.
 class ClaimsJob {
   public:
-    /// Throws MachineError (see Context::make_worker).
+    /// Throws MachineError (see BackgroundRenderer::make_context).
     ClaimsJob(const DrawingSupplies &supplies, const std::shared_ptr<const ShownStep> &shown, const Words &words);
     /// As far as it has come, in the order of the claims.
     [[nodiscard]] std::vector<ClaimResult> results() const;

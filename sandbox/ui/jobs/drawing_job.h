@@ -1,10 +1,9 @@
 #pragma once
 
 #include "capture/sidecar.h"
-#include "render/context.h"
-#include "render/renderer.h"
-#include "scene/assets.h"
+#include "reference/parallel.h"
 #include "ui/jobs/background_job.h"
+#include "ui/jobs/background_renderer.h"
 #include "ui/session/session.h"
 
 #include <functional>
@@ -16,9 +15,8 @@ namespace sandbox {
 
 /// What jobs that draw are made with.
 struct DrawingSupplies {
-    Assets assets, shaders;
-    DrawnBy by;             ///< the OpenGL of the window and of its jobs
-    const Context *context; ///< the window's
+    BackgroundRenderer *shared;
+    DrawnBy by; ///< the OpenGL of the window and of its jobs
 };
 
 /// Ends the window's waiting for events; from any thread.
@@ -27,27 +25,37 @@ void wake_window();
 /// One row in the current ImGui window: "Cancel", how far the job is, what it is doing.
 void job_progress_row(Session &session, BackgroundJob &job);
 
-/// Work on its own thread with its own renderer. All member functions are for the main thread.
+using DrawingTurn = BackgroundRenderer::Turn;
+
+/// Work on its own thread, when its turn to draw has come. All member functions are for the main thread.
 template <typename Result> class DrawingJob {
   public:
-    using Work = std::function<Result(Renderer &, JobReporter &)>;
+    /// Long work lets others draw between its pictures.
+    using Work = std::function<Result(DrawingTurn &, JobReporter &)>;
 
-    DrawingJob(DrawingSupplies supplies, Work work)
-        : context_(supplies.context->make_worker()),
-          job_(
-              [this, supplies = std::move(supplies), work = std::move(work)](JobReporter &reporter) {
-                  const WorkerContext::Current current(*context_);
-                  Renderer renderer(supplies.assets, ShaderParts(supplies.shaders));
-                  result_ = work(renderer, reporter);
+    /// Throws MachineError (see BackgroundRenderer::make_context).
+    DrawingJob(const DrawingSupplies &supplies, Work work)
+        : job_(
+              [this, &shared = with_context(*supplies.shared), work = std::move(work)](JobReporter &reporter) {
+                  try {
+                      DrawingTurn turn(shared, reporter.stop_token());
+                      result_ = work(turn, reporter);
+                  } catch (const Cancelled &) {
+                      result_.reset();
+                  }
               },
               wake_window) {}
 
     [[nodiscard]] BackgroundJob &job() { return job_; }
-    /// Once the job is done.
-    [[nodiscard]] Result take_result() { return std::move(*result_); }
+    /// Once the job is done; nothing if it was cancelled before there was any.
+    [[nodiscard]] std::optional<Result> take_result() { return std::move(result_); }
 
   private:
-    std::unique_ptr<WorkerContext> context_;
+    static BackgroundRenderer &with_context(BackgroundRenderer &shared) {
+        shared.make_context();
+        return shared;
+    }
+
     std::optional<Result> result_;
     BackgroundJob job_; ///< last: ends before what it uses
 };

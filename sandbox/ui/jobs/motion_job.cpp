@@ -51,29 +51,26 @@ std::array<Frame, 3> draw_moment(const SidesShown &shown, Size size, Renderer &r
 ChangesJob::ChangesJob(const DrawingSupplies &supplies, const SidesShown &shown, const Motion &motion)
     : shared_(std::make_shared<Shared>()) {
     shared_->changes = {shown, motion, small_size(shown.size), {}};
-    const auto work = [shared = shared_, shown, motion](Renderer &renderer, JobReporter &reporter) {
+    const auto work = [shared = shared_, shown, motion](DrawingTurn &turn, JobReporter &reporter) {
         const int moments = moments_of(motion);
         const Size size = small_size(shown.size);
         std::array<Frame, 3> before;
         SidesShown now = shown;
-        try {
-            for (int moment = 0; moment < moments; ++moment) {
-                now.scene = moved(shown.scene, motion, moment);
-                std::array<Frame, 3> frames =
-                    draw_moment(now, size, renderer, [&](double) { return !reporter.cancelled(); });
-                if (moment > 0) {
-                    const std::lock_guard lock(shared->mutex);
-                    for (std::size_t i = 0; i < frames.size(); ++i) {
-                        shared->changes.curves[i].push_back(largest_change(before[i], frames[i]));
-                    }
-                }
-                before = std::move(frames);
-                if (!reporter.report((moment + 1.0) / moments)) {
-                    return false;
+        for (int moment = 0; moment < moments; ++moment) {
+            turn.let_others_draw();
+            now.scene = moved(shown.scene, motion, moment);
+            std::array<Frame, 3> frames =
+                draw_moment(now, size, turn.renderer(), [&](double) { return !reporter.cancelled(); });
+            if (moment > 0) {
+                const std::lock_guard lock(shared->mutex);
+                for (std::size_t i = 0; i < frames.size(); ++i) {
+                    shared->changes.curves[i].push_back(largest_change(before[i], frames[i]));
                 }
             }
-        } catch (const Cancelled &) {
-            return false;
+            before = std::move(frames);
+            if (!reporter.report((moment + 1.0) / moments)) {
+                return false;
+            }
         }
         return true;
     };
@@ -88,12 +85,13 @@ Changes ChangesJob::changes() const {
 std::unique_ptr<SequenceJob> start_sequence(const DrawingSupplies &supplies, const Scene &scene, const Motion &motion,
                                             const PictureOptions &options, const std::filesystem::path &folder,
                                             const std::function<Painters(Renderer &)> &painters_of) {
-    const auto draw = [=, by = supplies.by](Renderer &renderer, JobReporter &reporter) {
-        const Painters painters = painters_of(renderer);
+    const auto draw = [=, by = supplies.by](DrawingTurn &turn, JobReporter &reporter) {
+        const Painters painters = painters_of(turn.renderer());
         const std::string pattern = "frame_%04d.png";
         const int moments = moments_of(motion);
         write_file(sidecar_path(folder / pattern), motion_sidecar(sidecar_text(scene, options, by), motion));
         for (int moment = 0; moment < moments; ++moment) {
+            turn.let_others_draw();
             const std::string name = frame_name(pattern, moment);
             reporter.say(name);
             const Scene now = moved(scene, motion, moment);
@@ -110,10 +108,14 @@ std::unique_ptr<SequenceJob> start_sequence(const DrawingSupplies &supplies, con
 std::unique_ptr<SequenceJob> start_sweep(const DrawingSupplies &supplies, const Scene &scene, const Grid &grid,
                                          const PictureOptions &options, const std::filesystem::path &path,
                                          const std::function<Painters(Renderer &)> &painters_of) {
-    const auto draw = [=, by = supplies.by](Renderer &renderer, JobReporter &reporter) {
+    const auto draw = [=, by = supplies.by](DrawingTurn &turn, JobReporter &reporter) {
         reporter.say(path.filename().string());
-        const ByteImage picture = draw_grid(scene, grid, options, painters_of(renderer), "the sweep",
-                                            [&](double share) { return reporter.report(share); });
+        const auto after_cell = [&](double share) {
+            turn.let_others_draw();
+            return reporter.report(share);
+        };
+        const ByteImage picture =
+            draw_grid(scene, grid, options, painters_of(turn.renderer()), "the sweep", after_cell);
         write_file(path, encode_png(picture));
         const PictureOptions cell = cell_options(options, grid.techniques.front());
         write_file(sidecar_path(path), grid_text(sidecar_text(scene, cell, by), grid));

@@ -27,7 +27,7 @@ struct Changes {
 /// Works the changes out at a small size, moment by moment. All member functions are for the main thread.
 class ChangesJob {
   public:
-    /// Throws MachineError (see Context::make_worker).
+    /// Throws MachineError (see BackgroundRenderer::make_context).
     ChangesJob(const DrawingSupplies &supplies, const SidesShown &shown, const Motion &motion);
     /// As far as it has come.
     [[nodiscard]] Changes changes() const;

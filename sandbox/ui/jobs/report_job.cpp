@@ -17,21 +17,24 @@ namespace sandbox {
 
 namespace {
 
-/// Draws the same, and tells the job's reporter what.
-DrawRows reported(const DrawRows &draw, const Words &words, JobReporter &reporter) {
+/// Draws the same after others, and tells the job's reporter what.
+DrawRows reported(const DrawRows &draw, const Words &words, DrawingTurn &turn, JobReporter &reporter) {
     return {draw.load,
             [&, words](const Scene &s, const Technique &t) {
+                turn.let_others_draw();
                 reporter.say(words.format("job.error_of", title_of(words, t)));
                 return draw.picture(s, t);
             },
             [&, words](const Scene &s, const Technique &t) {
+                turn.let_others_draw();
                 reporter.say(words.format("job.time_of", title_of(words, t)));
                 return draw.timed(s, t);
             }};
 }
 
-ReportRun measure(const Scene &scene, bool quick, const DrawnBy &by, const Words &words, Renderer &renderer,
+ReportRun measure(const Scene &scene, bool quick, const DrawnBy &by, const Words &words, DrawingTurn &turn,
                   JobReporter &reporter) {
+    Renderer &renderer = turn.renderer();
     const PlanOptions options = quick ? quick_plan() : PlanOptions{};
     Target target(options.size);
     FrameClock clock(Context::software(), [&] { renderer.draw(scene, {}, target); });
@@ -40,7 +43,7 @@ ReportRun measure(const Scene &scene, bool quick, const DrawnBy &by, const Words
     run.quick = quick;
     run.words = words;
     reporter.say(words.text("job.truth"));
-    run.measured = measure_work_precision(scene, options, reported(draw, words, reporter),
+    run.measured = measure_work_precision(scene, options, reported(draw, words, turn, reporter),
                                           [&](double share) { return reporter.report(share); });
     if (run.measured.finished) {
         reporter.say(words.text("job.pictures"));
@@ -77,7 +80,8 @@ RowCost cost_of(const Scene &scene, const Technique &technique, const DrawRows &
 }
 
 /// Of the rows on each mesh a few are tried, most of them on the finest meshes, whose rows take longest.
-double estimate(const Scene &scene, bool quick, Renderer &renderer, JobReporter &reporter) {
+double estimate(const Scene &scene, bool quick, DrawingTurn &turn, JobReporter &reporter) {
+    Renderer &renderer = turn.renderer();
     const PlanOptions options = quick ? quick_plan() : PlanOptions{};
     Target target(options.size);
     FrameClock clock(Context::software(), [&] { renderer.draw(scene, {}, target); });
@@ -95,6 +99,7 @@ double estimate(const Scene &scene, bool quick, Renderer &renderer, JobReporter 
         for (std::size_t i = 0; i < samples; ++i) {
             const std::size_t at =
                 samples == 1 ? rows.size() * (2 * mesh + 1) / (2 * meshes) : rows.size() * (2 * i + 1) / (2 * samples);
+            turn.let_others_draw();
             try {
                 const RowCost cost = cost_of(plan.meshes[mesh].scene, rows[at].technique, draw, options,
                                              [&](double) { return !reporter.cancelled(); });
@@ -120,16 +125,16 @@ std::string about_seconds(const Words &words, double seconds) {
 }
 
 std::unique_ptr<CostJob> start_estimate(const DrawingSupplies &supplies, const Scene &scene, bool quick) {
-    return std::make_unique<CostJob>(supplies, [scene, quick](Renderer &renderer, JobReporter &reporter) {
-        return estimate(scene, quick, renderer, reporter);
+    return std::make_unique<CostJob>(supplies, [scene, quick](DrawingTurn &turn, JobReporter &reporter) {
+        return estimate(scene, quick, turn, reporter);
     });
 }
 
 std::unique_ptr<ReportJob> start_report(const DrawingSupplies &supplies, const Scene &scene, bool quick,
                                         const Words &words) {
     return std::make_unique<ReportJob>(
-        supplies, [scene, quick, words, by = supplies.by](Renderer &renderer, JobReporter &reporter) {
-            return measure(scene, quick, by, words, renderer, reporter);
+        supplies, [scene, quick, words, by = supplies.by](DrawingTurn &turn, JobReporter &reporter) {
+            return measure(scene, quick, by, words, turn, reporter);
         });
 }
 

@@ -10,12 +10,13 @@ namespace sandbox {
 
 using ReportJob = DrawingJob<ReportRun>;
 
-/// Starts to measure `scene`, as the command `report` would. Throws MachineError (see Context::make_worker).
+/// Starts to measure `scene`, as the command `report` would. Throws MachineError (see
+/// BackgroundRenderer::make_context).
 std::unique_ptr<ReportJob> start_report(const DrawingSupplies &supplies, const Scene &scene, bool quick,
                                         const Words &words);
 
 /// How many seconds that would take on this machine, from a few of its rows: about a twentieth of them. Throws
-/// MachineError (see Context::make_worker).
+/// MachineError (see BackgroundRenderer::make_context).
 using CostJob = DrawingJob<double>;
 std::unique_ptr<CostJob> start_estimate(const DrawingSupplies &supplies, const Scene &scene, bool quick);
 

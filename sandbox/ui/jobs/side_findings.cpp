@@ -29,9 +29,10 @@ struct Drawn {
 
 class Finder {
   public:
-    Finder(const SidesShown &shown, Renderer &renderer, JobReporter &reporter)
-        : shown_(shown), renderer_(renderer), reporter_(reporter), scenes_{shown.scene_of(false), shown.scene_of(true)},
-          resources_{renderer.resources().load(scenes_[0]), renderer.resources().load(scenes_[1])} {}
+    Finder(const SidesShown &shown, DrawingTurn &turn, JobReporter &reporter)
+        : shown_(shown), turn_(turn), renderer_(turn.renderer()),
+          reporter_(reporter), scenes_{shown.scene_of(false), shown.scene_of(true)},
+          resources_{renderer_.resources().load(scenes_[0]), renderer_.resources().load(scenes_[1])} {}
 
     [[nodiscard]] bool stopped() const { return reporter_.cancelled(); }
 
@@ -41,6 +42,7 @@ class Finder {
         for (const bool right : {false, true}) {
             SideFindings &side = findings.sides[right ? 1 : 0];
             side.failure.clear();
+            turn_.let_others_draw();
             try {
                 drawn.frames[right ? 1 : 0] = picture(right, size);
                 drawn.truths[right ? 1 : 0] =
@@ -65,13 +67,14 @@ class Finder {
         std::array<std::vector<double>, 2> samples;
         FrameClock clock(Context::software(), [&] { renderer_.draw(scenes_[1], technique(true), target); });
         const auto end = std::chrono::steady_clock::now() + longest_timing;
-        for (int turn = -1; turn < timed_frames && !stopped() && std::chrono::steady_clock::now() < end; ++turn) {
+        for (int round = -1; round < timed_frames && !stopped() && std::chrono::steady_clock::now() < end; ++round) {
+            turn_.let_others_draw();
             for (const bool right : {false, true}) {
                 if (!findings.sides[right ? 1 : 0].failure.empty() || (!right && shown_.textbook_left)) {
                     continue;
                 }
                 const double ms = clock.milliseconds([&] { renderer_.draw(scene(right), technique(right), target); });
-                if (turn >= 0) { // the first warms up
+                if (round >= 0) { // the first warms up
                     samples[right ? 1 : 0].push_back(ms);
                 }
             }
@@ -109,6 +112,7 @@ class Finder {
     }
 
     const SidesShown &shown_;
+    DrawingTurn &turn_;
     Renderer &renderer_;
     JobReporter &reporter_;
     std::array<Scene, 2> scenes_;
@@ -117,25 +121,21 @@ class Finder {
 
 } // namespace
 
-void find_errors(const SidesShown &shown, Renderer &renderer, JobReporter &reporter,
+void find_errors(const SidesShown &shown, DrawingTurn &turn, JobReporter &reporter,
                  const std::function<void(const Findings &)> &publish) {
-    try {
-        Finder finder(shown, renderer, reporter);
-        Findings findings{shown, {}, {}};
-        const Size small{shown.size.width / estimate_divisor, shown.size.height / estimate_divisor};
-        if (std::min(small.width, small.height) >= least_estimate_side) {
-            finder.compare_at(small, true, findings);
-            publish(findings);
-        }
-        finder.compare_at(shown.size, false, findings);
+    Finder finder(shown, turn, reporter);
+    Findings findings{shown, {}, {}};
+    const Size small{shown.size.width / estimate_divisor, shown.size.height / estimate_divisor};
+    if (std::min(small.width, small.height) >= least_estimate_side) {
+        finder.compare_at(small, true, findings);
         publish(findings);
-    } catch (const Cancelled &) {
-        return; // what is asked next is found out next
     }
+    finder.compare_at(shown.size, false, findings);
+    publish(findings);
 }
 
-bool find_times(Findings &findings, Renderer &renderer, JobReporter &reporter) {
-    Finder finder(findings.of, renderer, reporter);
+bool find_times(Findings &findings, DrawingTurn &turn, JobReporter &reporter) {
+    Finder finder(findings.of, turn, reporter);
     finder.take_times(findings);
     return !finder.stopped();
 }

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "render/renderer.h"
-#include "ui/jobs/background_job.h"
+#include "ui/jobs/drawing_job.h"
 #include "ui/session/findings.h"
 
 #include <functional>
@@ -9,10 +8,10 @@
 namespace sandbox {
 
 /// Of both pictures against their truths: first an estimate, then at the view's own size; `publish` is called after
-/// each. Ends early, with nothing more published, once the reporter is cancelled.
-void find_errors(const SidesShown &shown, Renderer &renderer, JobReporter &reporter,
+/// each. Throws Cancelled.
+void find_errors(const SidesShown &shown, DrawingTurn &turn, JobReporter &reporter,
                  const std::function<void(const Findings &)> &publish);
 /// Adds the run times to what find_errors() has found; false if the reporter was cancelled.
-bool find_times(Findings &findings, Renderer &renderer, JobReporter &reporter);
+bool find_times(Findings &findings, DrawingTurn &turn, JobReporter &reporter);
 
 } // namespace sandbox

@@ -6,12 +6,13 @@ namespace sandbox {
 
 StabilityJob::StabilityJob(const DrawingSupplies &supplies, std::vector<StabilityCase> cases)
     : cases_(std::move(cases)),
-      drawing_(supplies, [this](Renderer &renderer, JobReporter &reporter) { return run(renderer, reporter); }) {}
+      drawing_(supplies, [this](DrawingTurn &turn, JobReporter &reporter) { return run(turn, reporter); }) {}
 
-StabilityJob::Nothing StabilityJob::run(Renderer &renderer, JobReporter &reporter) {
+StabilityJob::Nothing StabilityJob::run(DrawingTurn &turn, JobReporter &reporter) {
     Target target(stability_timed_size);
-    const StabilityDraw draw = cases_drawn_by(renderer, target);
+    const StabilityDraw draw = cases_drawn_by(turn.renderer(), target);
     for (std::size_t i = 0; i < cases_.size(); ++i) {
+        turn.let_others_draw();
         reporter.say(cases_[i].name);
         if (!reporter.report(static_cast<double>(i) / static_cast<double>(cases_.size()))) {
             break;

@@ -11,7 +11,7 @@ namespace sandbox {
 /// Runs cases in the background; hands out their results one by one.
 class StabilityJob {
   public:
-    /// Starts at once. Throws MachineError (see Context::make_worker).
+    /// Starts at once. Throws MachineError (see BackgroundRenderer::make_context).
     StabilityJob(const DrawingSupplies &supplies, std::vector<StabilityCase> cases);
 
     /// What was finished since the last call.
@@ -20,7 +20,7 @@ class StabilityJob {
 
   private:
     struct Nothing {};
-    Nothing run(Renderer &renderer, JobReporter &reporter);
+    Nothing run(DrawingTurn &turn, JobReporter &reporter);
 
     std::vector<StabilityCase> cases_;
     std::mutex mutex_;

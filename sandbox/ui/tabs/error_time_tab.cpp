@@ -116,9 +116,9 @@ void ErrorTimeTab::finish(Session &session) {
     if (job_->job().state() == JobState::failed) {
         failure_ = session.text("error_time.not_measured") + job_->job().error();
         session.message = {failure_, true};
-    } else if (ReportRun run = job_->take_result(); complete_rows(run.measured) > 0) {
-        const bool finished = run.measured.finished;
-        show_measured_model(run.measured, run_ ? view_.model : session.document.right.model);
+    } else if (auto run = job_->take_result(); run && complete_rows(run->measured) > 0) {
+        const bool finished = run->measured.finished;
+        show_measured_model(run->measured, run_ ? view_.model : session.document.right.model);
         run_ = std::move(run);
         name_ = running_name_;
         session.message = {session.text(finished ? "error_time.measured" : "error_time.cancelled"), false};

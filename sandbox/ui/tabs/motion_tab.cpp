@@ -235,9 +235,11 @@ News MotionTab::take_news(Session &session) {
     }
     const News sequence = sequence_job_ ? sequence_job_->job().take_news() : News::none;
     if (sequence == News::result) {
-        session.message = sequence_job_->job().state() == JobState::failed
-                              ? Message{session.text("message.not_captured") + sequence_job_->job().error(), true}
-                              : Message{session.text("message.captured", sequence_job_->take_result().string()), false};
+        if (sequence_job_->job().state() == JobState::failed) {
+            session.message = {session.text("message.not_captured") + sequence_job_->job().error(), true};
+        } else if (const auto path = sequence_job_->take_result()) {
+            session.message = {session.text("message.captured", path->string()), false};
+        }
         sequence_job_.reset();
     }
     return std::max(news, sequence);

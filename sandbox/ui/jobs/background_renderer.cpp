@@ -1,0 +1,84 @@
+#include "ui/jobs/background_renderer.h"
+
+#include "reference/parallel.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace sandbox {
+
+BackgroundRenderer::BackgroundRenderer(const Context &window, Assets assets, Assets shaders)
+    : window_(window), assets_(std::move(assets)), shaders_(std::move(shaders)) {}
+
+BackgroundRenderer::~BackgroundRenderer() {
+    if (renderer_) {
+        const WorkerContext::Current current(*context_); // the window's own is current no more
+        renderer_.reset();
+    }
+}
+
+void BackgroundRenderer::make_context() {
+    if (!context_) {
+        context_ = window_.make_worker();
+    }
+}
+
+/// False if `stop` comes first.
+bool BackgroundRenderer::wait_for(const Turn &turn, const std::stop_token &stop) {
+    std::unique_lock lock(mutex_);
+    turns_.push_back(&turn);
+    const bool begun = turn_ended_.wait(lock, stop, [&] { return turns_.front() == &turn; });
+    if (!begun) {
+        std::erase(turns_, &turn);
+    }
+    return begun;
+}
+
+void BackgroundRenderer::end_turn() {
+    {
+        const std::lock_guard lock(mutex_);
+        turns_.pop_front();
+    }
+    turn_ended_.notify_all();
+}
+
+BackgroundRenderer::Turn::Turn(BackgroundRenderer &shared, const std::stop_token &stop) : shared_(shared) {
+    if (!shared_.wait_for(*this, stop)) {
+        throw Cancelled();
+    }
+    try {
+        current_.emplace(*shared_.context_);
+        if (!shared_.renderer_) {
+            shared_.renderer_ = std::make_unique<Renderer>(shared_.assets_, ShaderParts(shared_.shaders_));
+        }
+        if (shared_.begun_ == 0 && shared_.renderer_->reload_changed_parts()) {
+            shared_.renderer_->forget_programs(); // no last good one may be measured in place of what was written
+        }
+        ++shared_.begun_;
+    } catch (...) {
+        current_.reset();
+        shared_.end_turn();
+        throw;
+    }
+}
+
+BackgroundRenderer::Turn::~Turn() {
+    --shared_.begun_;
+    current_.reset();
+    shared_.end_turn();
+}
+
+void BackgroundRenderer::Turn::let_others_draw() {
+    {
+        const std::lock_guard lock(shared_.mutex_);
+        if (shared_.turns_.size() == 1) {
+            return;
+        }
+    }
+    current_.reset();
+    shared_.end_turn();
+    shared_.wait_for(*this, {}); // even if the job is cancelled: what it has made has to be deleted here
+    current_.emplace(*shared_.context_);
+}
+
+} // namespace sandbox
