@@ -35,6 +35,7 @@ bool has_display_server() {
 void keep_no_freed_pictures() {
 #ifdef __GLIBC__
     mallopt(M_MMAP_THRESHOLD, 256 * 1024);
+    mallopt(M_ARENA_MAX, 2);
 #endif
 }
 

@@ -51,6 +51,8 @@ class Context {
     /// GL_RENDERER, GL_VERSION: "llvmpipe (LLVM 15.0.6, 256 bits)", "3.3 (Core Profile) Mesa 22.3.6".
     [[nodiscard]] std::string renderer() const;
     [[nodiscard]] std::string version() const;
+    /// Again, on its thread, after a worker's was. Throws MachineError if the driver refuses.
+    virtual void make_current() const = 0;
     /// Of the same driver; made and destroyed on this context's thread, before it. Throws MachineError where there can
     /// be no second context.
     [[nodiscard]] virtual std::unique_ptr<WorkerContext> make_worker() const = 0;

@@ -127,24 +127,30 @@ class EglContext final : public Context {
         if (!display_->usable()) {
             return false;
         }
-        if (make_current(core_3_3.data())) {
+        if (make_with(core_3_3.data())) {
             load_functions(eglGetProcAddress);
             return true;
         }
-        if (found.empty() && make_current(nullptr)) {
+        if (found.empty() && make_with(nullptr)) {
             found = "OpenGL " + version_string();
         }
         return false;
     }
 
+    void make_current() const override {
+        if (!display_->make_current(context_)) {
+            throw MachineError("the OpenGL context cannot be made current again (EGL error {:#06x})", eglGetError());
+        }
+    }
     [[nodiscard]] std::unique_ptr<WorkerContext> make_worker() const override {
         auto apart = software() ? make_software_worker(renderer()) : nullptr;
-        static_cast<void>(display_->make_current(context_));
+        make_current();
         return apart ? std::move(apart) : std::make_unique<EglWorker>(display_);
     }
 
   private:
-    bool make_current(const EGLint *attributes) {
+    /// And makes it current.
+    bool make_with(const EGLint *attributes) {
         if (context_ == EGL_NO_CONTEXT) {
             context_ = display_->create_context(attributes);
         }

@@ -43,9 +43,10 @@ class WindowContext : public Context {
         use_context(window);
         load_functions(glfwGetProcAddress);
     }
+    void make_current() const override { use_context(window_); }
     [[nodiscard]] std::unique_ptr<WorkerContext> make_worker() const override {
         auto apart = software() ? make_software_worker(renderer()) : nullptr;
-        use_context(window_);
+        make_current();
         return apart ? std::move(apart) : std::make_unique<WindowWorker>();
     }
 

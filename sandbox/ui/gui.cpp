@@ -89,6 +89,7 @@ bool Gui::end_frame(unsigned long pictures) {
             append_bytes(pending_, &command.ClipRect, 1);
             append_bytes(pending_, &command.TextureId, 1);
             append_bytes(pending_, &command.ElemCount, 1);
+            append_bytes(pending_, &command.UserCallbackData, 1);
         }
     }
     if (pending_ == shown_) {

@@ -409,13 +409,14 @@ void ScriptPlayer::monkey(Words words) {
     std::mt19937 dice(static_cast<unsigned>(number(words[1])));
     Session &session = window_.session();
     const Document first = session.document;
+    const Appearance appearance = session.appearance;
     constexpr int reports = 10;
     for (int i = 1; i <= count; ++i) {
         random_action(static_cast<unsigned>(dice()));
         check_gl("work the window");
         session.requests.quit = false;
-        if (i % std::max(count / reports, 1) == 0) { // always of the same scene
-            session.appearance.tab.reset();
+        if (i % std::max(count / reports, 1) == 0) { // always of the same scene, shown in the same way
+            session.appearance = appearance;
             show_document(session, first);
             finish();
             fmt::print("{} actions, {} MB resident\n", i, resident_megabytes());

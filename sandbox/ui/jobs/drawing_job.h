@@ -2,8 +2,8 @@
 
 #include "capture/sidecar.h"
 #include "reference/parallel.h"
+#include "render/background_renderer.h"
 #include "ui/jobs/background_job.h"
-#include "ui/jobs/background_renderer.h"
 #include "ui/session/session.h"
 
 #include <functional>
@@ -38,8 +38,9 @@ template <typename Result> class DrawingJob {
         : job_(
               [this, &shared = with_context(*supplies.shared), work = std::move(work)](JobReporter &reporter) {
                   try {
-                      DrawingTurn turn(shared, reporter.stop_token());
-                      result_ = work(turn, reporter);
+                      if (DrawingTurn turn(shared, reporter.stop_token()); turn) {
+                          result_ = work(turn, reporter);
+                      }
                   } catch (const Cancelled &) {
                       result_.reset();
                   }

@@ -239,6 +239,8 @@ News MotionTab::take_news(Session &session) {
             session.message = {session.text("message.not_captured") + sequence_job_->job().error(), true};
         } else if (const auto path = sequence_job_->take_result()) {
             session.message = {session.text("message.captured", path->string()), false};
+        } else {
+            session.message = {session.text("message.capture_cancelled"), false};
         }
         sequence_job_.reset();
     }

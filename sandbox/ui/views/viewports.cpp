@@ -1,5 +1,6 @@
 #include "ui/views/viewports.h"
 
+#include "render/blit.h"
 #include "ui/views/difference_scale.h"
 #include "ui/views/light_handles.h"
 #include "ui/views/view_captions.h"
@@ -47,8 +48,28 @@ Size pixels_of(const Rect &rect) {
     return {pixels(rect.width() * scale.x), pixels(rect.height() * scale.y)};
 }
 
+/// As an ImDrawCallback: the command's texture fills its clip rectangle.
+void blit_picture(const ImDrawList * /*list*/, const ImDrawCmd *command) {
+    const ImDrawData &data = *ImGui::GetDrawData();
+    const auto pixels = [](float length, float scale) { return static_cast<int>(std::lround(length * scale)); };
+    const ImVec4 &clip = command->ClipRect;
+    const int left = pixels(clip.x - data.DisplayPos.x, data.FramebufferScale.x);
+    const int right = pixels(clip.z - data.DisplayPos.x, data.FramebufferScale.x);
+    const int top = pixels(clip.y - data.DisplayPos.y, data.FramebufferScale.y);
+    const int bottom = pixels(clip.w - data.DisplayPos.y, data.FramebufferScale.y);
+    const int height = pixels(data.DisplaySize.y, data.FramebufferScale.y);
+    blit_texture(texture_name(command->UserCallbackData), {left, height - bottom, right - left, bottom - top});
+}
+
 /// The part of a picture between two shares of its width.
 void draw_picture_part(const Rect &rect, unsigned texture, float from, float to) {
+    if (from == 0 && to == 1) {
+        ImDrawList &list = *ImGui::GetWindowDrawList();
+        list.PushClipRect(rect.low, rect.high);
+        list.AddCallback(blit_picture, texture_id(texture));
+        list.PopClipRect();
+        return;
+    }
     const ImVec2 low{rect.low.x + rect.width() * from, rect.low.y};
     const ImVec2 high{rect.low.x + rect.width() * to, rect.high.y};
     ImGui::GetWindowDrawList()->AddImage(texture_id(texture), low, high, {from, 1}, {to, 0});

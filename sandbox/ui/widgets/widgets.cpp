@@ -295,6 +295,8 @@ ImTextureID texture_id(unsigned texture) {
     return reinterpret_cast<ImTextureID>(static_cast<std::intptr_t>(texture));
 }
 
+unsigned texture_name(ImTextureID id) { return static_cast<unsigned>(reinterpret_cast<std::intptr_t>(id)); }
+
 void scroll_by_keys() {
     if (!ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows)) {
         return;

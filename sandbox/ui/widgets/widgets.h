@@ -69,6 +69,8 @@ void heading(std::string_view text);
 void wrapped_text(const ImVec4 &color, const std::string &text);
 /// An OpenGL texture's name as ImGui takes it.
 ImTextureID texture_id(unsigned texture);
+/// The way back.
+unsigned texture_name(ImTextureID id);
 /// Arrows, Page up and down, Home and End scroll the current window, which has nothing to choose, while it has the
 /// keys.
 void scroll_by_keys();

@@ -5,6 +5,7 @@
 #include "scene/assets.h"
 
 #include <condition_variable>
+#include <cstddef>
 #include <deque>
 #include <memory>
 #include <mutex>
@@ -20,6 +21,7 @@ class BackgroundRenderer {
   public:
     /// Nothing is made yet. `window` must outlive this; both end on its thread.
     BackgroundRenderer(const Context &window, Assets assets, Assets shaders);
+    /// The window's context is current afterwards.
     ~BackgroundRenderer();
     BackgroundRenderer(const BackgroundRenderer &) = delete;
     BackgroundRenderer &operator=(const BackgroundRenderer &) = delete;
@@ -27,21 +29,28 @@ class BackgroundRenderer {
     /// On the window's thread, before the first turn. Throws MachineError (see Context::make_worker).
     void make_context();
 
+    /// How many wait for a turn.
+    [[nodiscard]] std::size_t waiting() const;
+
     /// While it lives, its thread draws and no other job does.
     class Turn {
       public:
-        /// Waits. Throws Cancelled if `stop` comes first; MachineError, ShaderError if there can be no renderer.
+        /// Waits until all turns that were asked for before have ended, or `stop` comes. Throws MachineError if there
+        /// can be no renderer.
         Turn(BackgroundRenderer &shared, const std::stop_token &stop);
         ~Turn();
         Turn(const Turn &) = delete;
         Turn &operator=(const Turn &) = delete;
 
+        /// False if `stop` came first: then it is no turn.
+        explicit operator bool() const { return begun_; }
         [[nodiscard]] Renderer &renderer() { return *shared_.renderer_; }
         /// Between two pictures: whoever waits draws first. What is bound may be another's afterwards.
         void let_others_draw();
 
       private:
         BackgroundRenderer &shared_;
+        bool begun_ = false;
         std::optional<WorkerContext::Current> current_;
     };
 
@@ -54,7 +63,7 @@ class BackgroundRenderer {
     std::unique_ptr<WorkerContext> context_;
     std::unique_ptr<Renderer> renderer_; ///< lives in that context
     int begun_ = 0;                      ///< turns that have begun and not ended, those that let others draw too
-    std::mutex mutex_;
+    mutable std::mutex mutex_;
     std::deque<const Turn *> turns_; ///< guarded by mutex_; the first one draws
     std::condition_variable_any turn_ended_;
 };

@@ -1,9 +1,12 @@
-#include "ui/jobs/background_renderer.h"
+#include "render/background_renderer.h"
 
-#include "reference/parallel.h"
+#include "image/error.h"
 
 #include <algorithm>
 #include <utility>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace sandbox {
 
@@ -11,9 +14,14 @@ BackgroundRenderer::BackgroundRenderer(const Context &window, Assets assets, Ass
     : window_(window), assets_(std::move(assets)), shaders_(std::move(shaders)) {}
 
 BackgroundRenderer::~BackgroundRenderer() {
-    if (renderer_) {
-        const WorkerContext::Current current(*context_); // the window's own is current no more
-        renderer_.reset();
+    try {
+        if (renderer_) {
+            const WorkerContext::Current current(*context_);
+            renderer_.reset();
+        }
+        window_.make_current();
+    } catch (const MachineError &) {
+        return; // the driver is gone, and with it what lived there
     }
 }
 
@@ -21,6 +29,11 @@ void BackgroundRenderer::make_context() {
     if (!context_) {
         context_ = window_.make_worker();
     }
+}
+
+std::size_t BackgroundRenderer::waiting() const {
+    const std::lock_guard lock(mutex_);
+    return turns_.empty() ? 0 : turns_.size() - 1;
 }
 
 /// False if `stop` comes first.
@@ -44,7 +57,7 @@ void BackgroundRenderer::end_turn() {
 
 BackgroundRenderer::Turn::Turn(BackgroundRenderer &shared, const std::stop_token &stop) : shared_(shared) {
     if (!shared_.wait_for(*this, stop)) {
-        throw Cancelled();
+        return;
     }
     try {
         current_.emplace(*shared_.context_);
@@ -55,6 +68,7 @@ BackgroundRenderer::Turn::Turn(BackgroundRenderer &shared, const std::stop_token
             shared_.renderer_->forget_programs(); // no last good one may be measured in place of what was written
         }
         ++shared_.begun_;
+        begun_ = true;
     } catch (...) {
         current_.reset();
         shared_.end_turn();
@@ -63,17 +77,20 @@ BackgroundRenderer::Turn::Turn(BackgroundRenderer &shared, const std::stop_token
 }
 
 BackgroundRenderer::Turn::~Turn() {
+    if (!begun_) {
+        return;
+    }
     --shared_.begun_;
     current_.reset();
+#ifdef __GLIBC__
+    malloc_trim(0); // a job leaves pages free all over the heaps
+#endif
     shared_.end_turn();
 }
 
 void BackgroundRenderer::Turn::let_others_draw() {
-    {
-        const std::lock_guard lock(shared_.mutex_);
-        if (shared_.turns_.size() == 1) {
-            return;
-        }
+    if (shared_.waiting() == 0) {
+        return;
     }
     current_.reset();
     shared_.end_turn();
