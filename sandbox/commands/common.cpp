@@ -61,6 +61,12 @@ std::optional<PictureOptions> sidecar_of(const std::string &scene) {
     return options;
 }
 
+void refuse_settings(const CommonOptions &common, std::string_view why) {
+    if (!common.settings.empty()) {
+        throw InputError("--set {}: {}", common.settings.front(), why);
+    }
+}
+
 void check_positive(std::string_view flag, double value) {
     if (!std::isfinite(value) || value <= 0) {
         throw InputError("{}: expected a number > 0, got {:g}", flag, value);

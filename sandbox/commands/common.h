@@ -32,6 +32,9 @@ Assets shader_assets(const CommonOptions &common);
 /// SCENE with every --set applied and the camera of the view named `view` (empty: the scene's own camera).
 Scene open_scene(const CommonOptions &common, const std::string &scene, const std::string &view = {});
 
+/// For commands that open no SCENE. Throws InputError if there is a --set; `why` ends its message.
+void refuse_settings(const CommonOptions &common, std::string_view why);
+
 /// The options in the sidecar SCENE, checked; nothing if SCENE is not a sidecar.
 std::optional<PictureOptions> sidecar_of(const std::string &scene);
 

@@ -40,9 +40,7 @@ void write_lesson(const Words &words, const MeasuredLesson &measured, const std:
 }
 
 int run_lesson(const LessonFlags &flags, const CommonOptions &common) {
-    if (!common.settings.empty()) {
-        throw InputError("--set {}: a lesson brings its own scenes", common.settings.front());
-    }
+    refuse_settings(common, "a lesson brings its own scenes");
     const Assets assets = scene_assets(common);
     const Words words = words_in(flags.json ? languages.front() : flags.language, assets); // JSON stays English
     const bool all = flags.lesson == "all", gallery = flags.lesson == "gallery";

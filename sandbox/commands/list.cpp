@@ -99,6 +99,7 @@ struct ListFlags {
 };
 
 int run_list(const ListFlags &flags, const CommonOptions &common) {
+    refuse_settings(common, "list opens no scene");
     const Assets assets = scene_assets(common);
     const Words words = words_in(languages.front(), assets);
     const ordered_json all{{"version", SANDBOX_VERSION},

@@ -15,6 +15,7 @@ struct StabilityFlags {
 };
 
 int run_stability(const StabilityFlags &flags, const CommonOptions &common) {
+    refuse_settings(common, "a case brings its own scene");
     const Assets assets = scene_assets(common);
     const auto cases = with_flag("--case", [&] {
         return flags.chosen.empty() ? stability_cases(assets)

@@ -40,6 +40,12 @@ TEST(Cli, BadUsage) {
     expect_refused({"no-such-scene"}, "no-such-scene");
 }
 
+TEST(Cli, SettingsAreRefusedWhereNoSceneIsOpened) {
+    expect_refused({"list", "--set", "eye=[0,0,1]"}, "--set eye=[0,0,1]: list opens no scene");
+    expect_refused({"stability", "--out", "a", "--set", "eye=[0,0,1]"}, "--set eye=[0,0,1]: a case brings");
+    expect_refused({"lesson", "all", "--check", "--set", "eye=[0,0,1]"}, "--set eye=[0,0,1]: a lesson brings");
+}
+
 TEST(Cli, AMistypedCommandGetsASuggestion) {
     expect_refused({"cature"}, "'cature' is neither a command nor a built-in scene; did you mean \"capture\"?");
     expect_refused({"cature", "point-light", "--out", "a.png"}, "did you mean \"capture\"?");
