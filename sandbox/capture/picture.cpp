@@ -168,7 +168,7 @@ void mark_views(ByteImage &picture, const Scene &scene, const PictureOptions &op
     views.resize(static_cast<std::size_t>(columns_of(options.layout)));
     int left = 0;
     for (const Size &size : views) {
-        const double aspect = static_cast<double>(size.width) / size.height;
+        const double aspect = aspect_of(size);
         std::vector<Arrow> arrows;
         if (const auto at = options.marks.pixel; at && options.marks.vectors) {
             const Technique truth = truth_of(options.left);

@@ -33,9 +33,8 @@ std::optional<glm::dvec3> ring_in_view(const LessonStep &step, const Camera &cam
         return std::nullopt;
     }
     const Size own = view_sizes(slide.layout, room_for_views(slide)).front();
-    const auto aspect = [](Size size) { return static_cast<double>(size.width) / size.height; };
     const double down = view_height(step.scene.camera, 1) / view_height(camera, 1);
-    const double across = down * aspect(own) / aspect(view);
+    const double across = down * aspect_of(own) / aspect_of(view);
     const glm::dvec3 &ring = *slide.marks.ring;
     return glm::dvec3(0.5 + (ring.x - 0.5) * across, 0.5 + (ring.y - 0.5) * down, ring.z * down);
 }

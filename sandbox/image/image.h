@@ -12,6 +12,8 @@ struct Size {
     int height = 0;
     bool operator==(const Size &) const = default;
 };
+/// Width / height.
+constexpr double aspect_of(Size size) { return static_cast<double>(size.width) / static_cast<double>(size.height); }
 
 /// Linear RGBA, float32, row 0 at the top.
 struct Image {

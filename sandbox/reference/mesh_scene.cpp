@@ -24,7 +24,7 @@ void for_pieces(std::size_t count, const std::function<void(std::size_t)> &work)
 }
 
 RasterObject to_pixels(const MeshObject &object, const Camera &camera, Size size) {
-    const double aspect = size.width / static_cast<double>(size.height);
+    const double aspect = aspect_of(size);
     const glm::dmat4 projection = view_projection(camera, aspect);
     const Transform &transform = object.object->transform;
     RasterObject raster;

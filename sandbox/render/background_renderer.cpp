@@ -55,7 +55,8 @@ void BackgroundRenderer::end_turn() {
     turn_ended_.notify_all();
 }
 
-BackgroundRenderer::Turn::Turn(BackgroundRenderer &shared, const std::stop_token &stop) : shared_(shared) {
+BackgroundRenderer::Turn::Turn(BackgroundRenderer &shared, const std::stop_token &stop, Broken broken)
+    : shared_(shared) {
     if (!shared_.wait_for(*this, stop)) {
         return;
     }
@@ -64,8 +65,11 @@ BackgroundRenderer::Turn::Turn(BackgroundRenderer &shared, const std::stop_token
         if (!shared_.renderer_) {
             shared_.renderer_ = std::make_unique<Renderer>(shared_.assets_, ShaderParts(shared_.shaders_));
         }
-        if (shared_.begun_ == 0 && shared_.renderer_->reload_changed_parts()) {
-            shared_.renderer_->forget_programs(); // no last good one may be measured in place of what was written
+        if (shared_.begun_ == 0) { // a job that lets others draw goes on with the parts that it began with
+            shared_.renderer_->reload_changed_parts();
+        }
+        if (broken == Broken::fails) {
+            shared_.renderer_->forget_last_good_programs();
         }
         ++shared_.begun_;
         begun_ = true;

@@ -32,12 +32,15 @@ class BackgroundRenderer {
     /// How many wait for a turn.
     [[nodiscard]] std::size_t waiting() const;
 
+    /// What is drawn with where the GLSL parts on disk do not build: what the window shows, or nothing.
+    enum class Broken { last_good_stands_in, fails };
+
     /// While it lives, its thread draws and no other job does.
     class Turn {
       public:
         /// Waits until all turns that were asked for before have ended, or `stop` comes. Throws MachineError if there
         /// can be no renderer.
-        Turn(BackgroundRenderer &shared, const std::stop_token &stop);
+        Turn(BackgroundRenderer &shared, const std::stop_token &stop, Broken broken = Broken::fails);
         ~Turn();
         Turn(const Turn &) = delete;
         Turn &operator=(const Turn &) = delete;

@@ -14,12 +14,14 @@ constexpr std::size_t most_programs = 48;
 void ProgramCache::build(Entry &entry, const Features &features) {
     try {
         entry.program = std::make_shared<const GlProgram>(assemble(features, parts_));
+        entry.last_good = false;
         ++built_;
     } catch (const std::exception &failure) { // ShaderError, or a part's directive that does not read
         error_ = failure.what();
         if (entry.program == nullptr) {
             throw ShaderError(error_);
         }
+        entry.last_good = true;
     }
     entry.stale = false;
 }
@@ -58,6 +60,10 @@ void ProgramCache::rebuild_all() {
     for (auto &[features, entry] : entries_) {
         entry.stale = true;
     }
+}
+
+void ProgramCache::forget_last_good() {
+    std::erase_if(entries_, [](const auto &entry) { return entry.second.stale || entry.second.last_good; });
 }
 
 void ProgramCache::evict_oldest() {

@@ -25,7 +25,8 @@ class ProgramCache {
 
     /// After the parts changed: each program is built again when next needed, its last good one kept in case.
     void rebuild_all();
-    void forget_all() { entries_.clear(); }
+    /// From here on, what the present parts do not build fails, whatever an earlier build could stand in.
+    void forget_last_good();
     /// The last build error since then; empty when all is well.
     [[nodiscard]] const std::string &error() const { return error_; }
     [[nodiscard]] int built() const { return built_; }
@@ -33,7 +34,8 @@ class ProgramCache {
   private:
     struct Entry {
         std::shared_ptr<const GlProgram> program;
-        bool stale = false;
+        bool stale = false;     ///< the parts have changed since
+        bool last_good = false; ///< the present parts do not build
         long last_use = 0;
     };
     void build(Entry &entry, const Features &features);

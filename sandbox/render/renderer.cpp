@@ -91,9 +91,6 @@ void set_culling(const Camera &camera, const Object &object, const Mesh &mesh, d
 /// Pixels of a picture 720 high, and as many more as one is higher.
 constexpr double normal_width = 2, vertex_width = 5;
 
-double aspect_of(Size size) { return static_cast<double>(size.width) / static_cast<double>(size.height); }
-double aspect_of(const Target &target) { return aspect_of(target.size()); }
-
 } // namespace
 
 struct Renderer::Impl {
@@ -199,7 +196,7 @@ void Renderer::Impl::draw_marks(const Scene &scene, const Technique &technique, 
             const MarkLine before = lifted(line, scene.camera, width, size.height);
             drawn.push_back({glm::vec3(before.from * space.scale), glm::vec3(before.to * space.scale)});
         }
-        glm::dmat4 matrix = view_projection(scene.camera, aspect_of(target));
+        glm::dmat4 matrix = view_projection(scene.camera, aspect_of(target.size()));
         matrix[3] *= space.scale;
         program.set("model_view_projection", glm::mat4(matrix));
         if (deep) {
@@ -265,9 +262,9 @@ void Renderer::draw_wireframe(const Scene &scene, Target &target, glm::vec3 colo
     program.set("line_color", color);
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object &object = scene.objects[i];
-        set_culling(scene.camera, object, *resources[i].mesh, aspect_of(target));
+        set_culling(scene.camera, object, *resources[i].mesh, aspect_of(target.size()));
         const EyeSpace space = eye_space(scene, object, *resources[i].mesh);
-        program.set("model_view_projection", glm::mat4(model_view_projection(scene, space, aspect_of(target))));
+        program.set("model_view_projection", glm::mat4(model_view_projection(scene, space, aspect_of(target.size()))));
         if (deep) {
             put_lifted_depth(program, space, scene.camera, target.size().height);
         }
@@ -296,7 +293,7 @@ bool Renderer::reload_changed_parts() {
     return true;
 }
 
-void Renderer::forget_programs() { impl_->programs.forget_all(); }
+void Renderer::forget_last_good_programs() { impl_->programs.forget_last_good(); }
 const std::string &Renderer::shader_error() const { return impl_->programs.error(); }
 int Renderer::programs_built() const { return impl_->programs.built(); }
 Resources &Renderer::resources() { return impl_->resources; }

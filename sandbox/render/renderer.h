@@ -51,8 +51,8 @@ class Renderer {
 
     /// --shaders DIR: true if a part changed on disk since the last call; programs are then rebuilt when next needed.
     bool reload_changed_parts();
-    /// All are built anew when next needed, and one that does not build then fails.
-    void forget_programs();
+    /// From here on a program that the present parts do not build fails, whatever earlier one could stand in.
+    void forget_last_good_programs();
     /// The last program's build error ("reflection_phong.glsl:31: ..."), empty when all is well.
     [[nodiscard]] const std::string &shader_error() const;
     /// How many programs were built so far (a technique seen before builds none).

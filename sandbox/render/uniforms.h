@@ -16,7 +16,7 @@ struct ObjectDraw {
     unsigned object_id; ///< index + 1
     double exposure;    ///< of what is drawn as a screen shows it
 
-    [[nodiscard]] double aspect() const { return static_cast<double>(size.width) / static_cast<double>(size.height); }
+    [[nodiscard]] double aspect() const { return aspect_of(size); }
 };
 
 /// What a full program branches on.

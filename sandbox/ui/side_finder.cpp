@@ -15,10 +15,13 @@ namespace sandbox {
 bool SideFinder::start_job(Task task, Work work) {
     task_ = task;
     try {
-        job_ = std::make_unique<DrawingJob<bool>>(supplies_, [work = std::move(work)](auto &turn, auto &reporter) {
-            work(turn, reporter);
-            return true;
-        });
+        job_ = std::make_unique<DrawingJob<bool>>(
+            supplies_,
+            [work = std::move(work)](DrawingTurn &turn, JobReporter &reporter) {
+                work(turn, reporter);
+                return true;
+            },
+            BackgroundRenderer::Broken::last_good_stands_in);
     } catch (const MachineError &) {
         impossible_ = true;
     }

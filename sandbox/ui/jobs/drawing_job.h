@@ -34,11 +34,12 @@ template <typename Result> class DrawingJob {
     using Work = std::function<Result(DrawingTurn &, JobReporter &)>;
 
     /// Throws MachineError (see BackgroundRenderer::make_context).
-    DrawingJob(const DrawingSupplies &supplies, Work work)
+    DrawingJob(const DrawingSupplies &supplies, Work work,
+               BackgroundRenderer::Broken broken = BackgroundRenderer::Broken::fails)
         : job_(
-              [this, &shared = with_context(*supplies.shared), work = std::move(work)](JobReporter &reporter) {
+              [this, broken, &shared = with_context(*supplies.shared), work = std::move(work)](JobReporter &reporter) {
                   try {
-                      if (DrawingTurn turn(shared, reporter.stop_token()); turn) {
+                      if (DrawingTurn turn(shared, reporter.stop_token(), broken); turn) {
                           result_ = work(turn, reporter);
                       }
                   } catch (const Cancelled &) {

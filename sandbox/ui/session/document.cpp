@@ -20,7 +20,7 @@ Document document_of(std::string name, const Scene &scene, const Technique &left
 
 Scene scene_in_view(const Document &document, Size view) {
     Scene seen = document.scene;
-    const double aspect = static_cast<double>(view.width) / view.height;
+    const double aspect = aspect_of(view);
     if (aspect < document.least_aspect && is_orthographic(seen.camera)) {
         seen.camera.height = nearest_accepted(seen.camera.height * document.least_aspect / aspect, positive_length);
     } else if (aspect < document.least_aspect) {
