@@ -1,5 +1,6 @@
 #include "measure/report/text.h"
 #include "measure/stability/cases.h"
+#include "render/frame_clock.h"
 #include "scene/scene_file.h"
 #include "teach/claims.h"
 #include "teach/lesson_read.h"
@@ -32,7 +33,7 @@ std::map<std::string, std::string> all_row_texts() {
     texts.merge(measured_row_texts());
     texts.merge(claim_row_texts());
     const Assets assets("assets");
-    std::vector<std::string> own;
+    std::vector<std::string> own{std::string(gpu_clock), std::string(wall_clock)};
     const auto add = [&](const std::vector<std::string> &more) { own.insert(own.end(), more.begin(), more.end()); };
     for (const std::string &name : builtin_scenes(assets)) {
         add(texts_of(open_scene(name, assets)));

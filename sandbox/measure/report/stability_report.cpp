@@ -131,7 +131,7 @@ std::string table_html(const Words &words, const Results &list) {
         heads.push_back(words.text(fmt::format("stability.column.{}", head)));
     }
     html::Table table(std::move(heads));
-    const auto add_error = [&](const StabilityRow &row) { table.number(row.error, short_number(row.error)); };
+    const auto add_error = [&](const StabilityRow &row) { table.number(row.error, short_number(words, row.error)); };
     const auto add_nonfinite = [&](const StabilityRow &row) {
         const auto count = row.metrics.nonfinite_pixels;
         table.number(static_cast<double>(count), fmt::format("{}", count));

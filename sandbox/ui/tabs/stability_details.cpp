@@ -35,7 +35,7 @@ void failed_rows(const Words &words, const StabilityResult &result) {
     for (const StabilityRow &row : result.rows) {
         if (!row.passed) {
             wrapped_text(error_text(), words.format("stability.failed_row", to_string(row.technique),
-                                                    short_number(row.error), row.metrics.nonfinite_pixels));
+                                                    short_number(words, row.error), row.metrics.nonfinite_pixels));
         }
     }
 }

@@ -20,7 +20,7 @@ struct Character {
 bool is_chinese(char32_t code) { return code >= first_chinese; }
 
 bool may_break(char32_t before, char32_t after) {
-    return (before == U' ' || is_chinese(before) || is_chinese(after)) && after != U' ' &&
+    return (before == ' ' || is_chinese(before) || is_chinese(after)) && after != ' ' &&
            closing.find(after) == std::u32string_view::npos && opening.find(before) == std::u32string_view::npos;
 }
 
@@ -51,7 +51,7 @@ std::string in_lines(std::string_view text, float width, const std::function<flo
     std::size_t begin = 0; // of the line
     const auto end_line = [&](std::size_t end) {
         std::size_t last = end;
-        for (; last > begin && all[last - 1].code == U' '; --last) {
+        for (; last > begin && all[last - 1].code == ' '; --last) {
         }
         for (; begin < last; ++begin) {
             lines += all[begin].bytes;
@@ -61,7 +61,7 @@ std::string in_lines(std::string_view text, float width, const std::function<flo
     float used = 0;
     std::size_t may_end = 0; // the last place where the line may end
     for (std::size_t i = 0; i < all.size(); ++i) {
-        if (all[i].code == U'\n') {
+        if (all[i].code == '\n') {
             end_line(i);
             used = 0;
             continue;
@@ -70,7 +70,7 @@ std::string in_lines(std::string_view text, float width, const std::function<flo
             may_end = i;
         }
         used += all[i].advance;
-        while (used > width && i > begin && all[i].code != U' ') {
+        while (used > width && i > begin && all[i].code != ' ') {
             end_line(may_end > begin ? may_end : i);
             lines += '\n';
             used = 0;
