@@ -11,6 +11,7 @@ namespace {
 struct StabilityFlags {
     std::filesystem::path out;
     std::string chosen; ///< --case; empty: all
+    std::string language{languages.front()};
     bool json = false;
 };
 
@@ -31,6 +32,7 @@ int run_stability(const StabilityFlags &flags, const CommonOptions &common) {
     StabilityRun run;
     run.renderer = session.context().renderer();
     run.version = SANDBOX_VERSION;
+    run.words = words_in(flags.language, assets);
     ProgressBar bar("stability");
     bool passed = true;
     for (std::size_t i = 0; i < cases.size(); ++i) {
@@ -55,6 +57,7 @@ void add_stability(CLI::App &app, CommonOptions &common, Run &run) {
     add_value(command, "--out", "DIR", flags->out, "Folder for the three files; made if it does not exist")->required();
     add_value(command, "--case", "NAME|FILE.json", flags->chosen,
               "Only this built-in case (see: list), or the case in a file");
+    add_language(command, flags->language, "Language of the page [en]");
     command.add_flag("--json", flags->json, "Print the JSON instead of the table");
     command.footer(
         "Draws every case in the textbook's form and in this program's, and judges both against the\n"

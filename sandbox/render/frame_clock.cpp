@@ -65,9 +65,6 @@ double FrameClock::milliseconds(const std::function<void()> &frame) {
     return timer_ ? gpu_milliseconds(*timer_, frame) : wall_milliseconds(frame);
 }
 
-std::string_view FrameClock::name() const {
-    return timer_ ? "GPU timer (GL_TIME_ELAPSED), which agreed with the wall clock on a long draw"
-                  : "wall clock around draw and glFinish";
-}
+std::string_view FrameClock::name() const { return timer_ ? gpu_clock : wall_clock; }
 
 } // namespace sandbox

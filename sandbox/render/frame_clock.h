@@ -8,6 +8,11 @@
 
 namespace sandbox {
 
+/// What FrameClock::name() may be.
+inline constexpr std::string_view gpu_clock = "GPU timer (GL_TIME_ELAPSED), which agreed with the wall clock on a long "
+                                              "draw",
+                                  wall_clock = "wall clock around draw and glFinish";
+
 /// Times finished frames by the clock that can be trusted here: the GPU's own timer (GL_TIME_ELAPSED) where a long draw
 /// has shown that it agrees with the wall clock; else the wall clock around draw and glFinish. Software renderers keep
 /// to the wall clock: they put work off until after the timer has stopped.

@@ -268,12 +268,12 @@ void measure_run_time(const Words &words, const LessonClaim &claim, const Measur
                    : words.format("claim.time", milliseconds_text(first));
 }
 
-void measure_metric(const Words &, const LessonClaim &claim, const Measurement &measurement, ClaimResult &result) {
+void measure_metric(const Words &words, const LessonClaim &claim, const Measurement &measurement, ClaimResult &result) {
     result.value = measurement.value(claim.of);
     if (claim.than) {
         result.value /= measurement.value(*claim.than);
     }
-    result.measured = short_number(result.value);
+    result.measured = short_number(words, result.value);
     result.passed = holds(claim, result.value);
 }
 
@@ -308,7 +308,7 @@ bool is_claim_metric(std::string_view name) {
 
 ClaimResult claim_words(const Words &words, const LessonClaim &claim) {
     ClaimResult result;
-    result.what = claim.says.text.empty() ? said(words, claim) : claim.says.text;
+    result.what = claim.says.text.empty() ? spaced(words, said(words, claim)) : claim.says.text;
     result.bound = bound_words(words, claim);
     result.checked = claim.checked();
     result.unit = claim.metric.empty()                  ? words.text("claim.words")

@@ -34,9 +34,9 @@ std::string claims_html(const Words &words, const std::vector<ClaimResult> &clai
     return table.html();
 }
 
-std::string techniques_words(const LessonStep &step) {
+std::string techniques_words(const Words &words, const LessonStep &step) {
     const std::string left = html::technique_code(*step.left), right = html::technique_code(*step.right);
-    return step.layout == StepLayout::single ? left : fmt::format("A {}, B {}", left, right);
+    return step.layout == StepLayout::single ? left : words.format("technique.pair", "A " + left, "B " + right);
 }
 
 std::string step_html(const Words &words, std::size_t number, const LessonStep &step,
@@ -50,16 +50,18 @@ std::string step_html(const Words &words, std::size_t number, const LessonStep &
         "<figure><img alt=\"{1}\" src=\"data:image/png;base64,{3}\"><figcaption>{4}</figcaption></figure>\n"
         "{5}{6}</section>\n",
         number, html::escaped(step.title.text), html::escaped(step.text.text), html::base64(encode_png(picture)),
-        techniques_words(step), question, claims_html(words, claims));
+        techniques_words(words, step), question, claims_html(words, claims));
 }
 
 /// Empty of a lesson that is none.
 std::string bug_facts(const Words &words, const Lesson &lesson) {
-    return lesson.is_bug() ? fmt::format("<p><b>{}</b>: {}<br><b>{}</b>: {}<br><b>{}</b>: {}</p>",
-                                         words.text("lesson_tab.seen"), html::escaped(lesson.seen.text),
-                                         words.text("lesson_tab.cure"), html::escaped(lesson.cure.text),
-                                         words.text("lesson_tab.source"), html::escaped(lesson.source))
-                           : "";
+    const auto fact = [&](std::string_view key, const std::string &text) {
+        return words.format("page.fact", fmt::format("<b>{}</b>", words.text(key)), html::escaped(text));
+    };
+    return lesson.is_bug()
+               ? fmt::format("<p>{}<br>{}<br>{}</p>", fact("lesson_tab.seen", lesson.seen.text),
+                             fact("lesson_tab.cure", lesson.cure.text), fact("lesson_tab.source", lesson.source))
+               : "";
 }
 
 std::string titled_page(const Words &words, const std::string &title, const std::string &body) {

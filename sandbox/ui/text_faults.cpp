@@ -70,7 +70,9 @@ WindowText text_of(const ImDrawList &list, const Glyphs &known) {
             if (!seen) {
                 continue;
             }
-            text.glyphs.push_back({static_cast<ImWchar>(found->second->Codepoint), low.pos, high.pos});
+            const ImVec2 seen_low(low.pos.x, std::max(low.pos.y, command.ClipRect.y)),
+                seen_high(high.pos.x, std::min(high.pos.y, command.ClipRect.w));
+            text.glyphs.push_back({static_cast<ImWchar>(found->second->Codepoint), seen_low, seen_high});
             if (trimmed || over) {
                 text.cut.push_back(text.glyphs.size() - 1);
             }

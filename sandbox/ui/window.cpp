@@ -13,6 +13,7 @@
 #include "ui/session/written_files.h"
 #include "ui/tabs/bottom_tabs.h"
 #include "ui/views/painters.h"
+#include "words/row_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -234,7 +235,8 @@ void Window::put_texture(const std::filesystem::path &image) {
         object.material.checker.reset();
         painter_.renderer().resources().load(document.scene); // throws for what cannot be read
         show_document(session_, document);
-        session_.message = {session_.text("message.texture", image.filename().string(), object.name), false};
+        session_.message = {
+            session_.text("message.texture", image.filename().string(), file_text(session_.words, object.name)), false};
     });
 }
 
@@ -394,8 +396,11 @@ void Window::load(const Scene &scene, const std::string &message) {
     std::string note;
     const auto resources = painter_.renderer().resources().load(scene);
     for (std::size_t i = 0; i < resources.size() && note.empty(); ++i) {
-        note = winding_note(*resources[i].mesh);
-        note = note.empty() ? "" : fmt::format("{}: {}.", scene.objects[i].name, note);
+        const Mesh &mesh = *resources[i].mesh;
+        note = mesh.against_normals == 0
+                   ? ""
+                   : session_.text("message.clockwise", file_text(session_.words, scene.objects[i].name),
+                                   mesh.against_normals, mesh.triangles.size());
     }
     session_.message = {note.empty() ? message : note, false};
 }

@@ -87,6 +87,20 @@ std::string look_for(const Words &words, const TechniqueKey &key, int value) {
     return row_text(words, value_key(key, value) + ".look_for", key.values[static_cast<std::size_t>(value)].look_for);
 }
 
+std::string file_text(const Words &words, const std::string &own) { return row_text(words, file_text_key(own), own); }
+std::string file_text_key(const std::string &own) { return fmt::format("text.{}", own); }
+
+std::vector<std::string> texts_of(const Scene &scene) {
+    std::vector<std::string> texts{scene.name, scene.description};
+    for (const Object &object : scene.objects) {
+        texts.push_back(object.name);
+    }
+    for (const View &view : scene.views) {
+        texts.push_back(view.name);
+    }
+    return texts;
+}
+
 std::map<std::string, std::string> row_texts() {
     std::map<std::string, std::string> texts;
     collect<Scene>(texts);

@@ -10,6 +10,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// The texts of the tables' rows (scene properties, technique values, ...). In English they stand in the rows, which
 /// --help, schemas and messages read as well; other languages have them under keys made from the rows' own words.
@@ -44,7 +45,14 @@ std::string title_of(const Words &words, const Technique &technique);
 std::string name_of(const Words &words, const TechniqueKey &key, int value);
 std::string look_for(const Words &words, const TechniqueKey &key, int value);
 
+/// A text that a scene or a stability case brings along: its name, what it calls an object, what it tells. Many of them
+/// say the same, so other languages have it under a key made from the text itself; one that they lack stays as it is.
+std::string file_text(const Words &words, const std::string &own);
+std::string file_text_key(const std::string &own);
+
 /// Every such key with its English text.
 std::map<std::string, std::string> row_texts();
+/// Those that a scene brings along.
+std::vector<std::string> texts_of(const Scene &scene);
 
 } // namespace sandbox

@@ -1,6 +1,7 @@
 #include "words/words.h"
 
 #include "image/error.h"
+#include "image/system_font.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -37,6 +38,39 @@ const std::string &Words::text(std::string_view key) const {
         return english_->text(key);
     }
     throw InputError("{} has no text \"{}\"", file_, key);
+}
+
+std::string spaced(const Words &words, const std::string &text) {
+    if (words.language() != "zh") {
+        return text;
+    }
+    enum class Kind { none, space, latin, chinese, punctuation };
+    const auto kind_of = [](char32_t code) {
+        const bool wide_mark =
+            (code >= 0x3000 && code <= 0x303F) || code >= 0xFF00 || (code >= 0x2018 && code <= 0x2026); // quotes, dots
+        return wide_mark               ? Kind::punctuation
+               : code >= first_chinese ? Kind::chinese
+               : code == ' '           ? Kind::space
+                                       : Kind::latin;
+    };
+    std::string out;
+    Kind before = Kind::none; // of the last character that is no space
+    bool apart = false;       // it is followed by spaces
+    for (std::string_view rest = text; !rest.empty();) {
+        const std::string_view here = rest;
+        const Kind kind = kind_of(take_character(rest));
+        if (kind == Kind::space) {
+            apart = true;
+            continue;
+        }
+        const bool mixed =
+            (before == Kind::latin && kind == Kind::chinese) || (before == Kind::chinese && kind == Kind::latin);
+        out += mixed || (apart && before == Kind::latin && kind == Kind::latin) ? " " : "";
+        out += here.substr(0, here.size() - rest.size());
+        before = kind;
+        apart = false;
+    }
+    return out;
 }
 
 std::string checked_language(const std::string &text) {

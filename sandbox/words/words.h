@@ -48,6 +48,10 @@ class Words {
     std::shared_ptr<const Words> english_; ///< null: these are English
 };
 
+/// A text that was put together, set as Chinese is: a space between Chinese and Latin characters, none between Chinese
+/// ones or beside their punctuation. In other languages, the text itself.
+std::string spaced(const Words &words, const std::string &text);
+
 /// The language itself. Throws InputError naming those there are.
 std::string checked_language(const std::string &text);
 

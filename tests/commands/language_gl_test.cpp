@@ -1,6 +1,7 @@
 #include "commands/script_gl.h"
 #include "image/system_font.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -69,7 +70,8 @@ TEST_F(LanguageGl, LabelsOfCapturesAreInItAndTheSidecarSaysSo) {
     EXPECT_EQ(run_sandbox({"capture", "point-light", "--lang", "fr", "--out", folder.file("c.png")}).exit_code, 2);
 }
 
-/// No text is cut off, and none lies over another: every panel, tab, layout and menu, at two magnifications.
+/// No text is cut off, and none lies over another: every panel, tab, layout and menu, at two magnifications; stories of
+/// cases and steps of lessons in a large and in a small window.
 class TextsFitGl : public LanguageGl {
   protected:
     void expect_texts_fit(const Arguments &language, const std::string &scale) const {
@@ -83,14 +85,33 @@ class TextsFitGl : public LanguageGl {
         for (const char *menu : {"Scene", "Edit", "Window", "Language"}) {
             script += std::string("click ") + menu + "\ntexts\nkey Escape\n";
         }
-        script += "key F1\ntexts\n";
+        script += "click Lesson\ntexts\nclick \"Famous bugs\"\ntexts\nkey Escape\nkey Escape\nkey F1\ntexts\n";
         Arguments all{"three-point-lights"};
         all.insert(all.end(), language.begin(), language.end());
         EXPECT_PLAYED(play(script, all));
     }
+
+    void expect_stories_fit(const std::string &language) const {
+        std::string cases = "key S\n", steps;
+        for (const std::string size : {"size 1280x720\n", "size 800x500\n"}) {
+            cases += size;
+            for (const char *told : {"exponent-1e3-phong-point", "geometry-light-at-a-vertex"}) {
+                cases +=
+                    fmt::format("click Stability/{}\ntexts\nclick \"Stability/Run this case\"\nwait\ntexts\n", told);
+            }
+            steps += size + "wait\ntexts\nkey PageDown\nkey End\nwait\ntexts\nkey PageUp\n";
+        }
+        EXPECT_PLAYED(play(cases, {"point-light", "--lang", language}));
+        for (const char *lesson : {"vertex-or-pixel", "highlight-in-the-dark"}) {
+            EXPECT_PLAYED(play(steps, {"--lesson", lesson, "--lang", language}));
+        }
+    }
 };
 
-TEST_F(TextsFitGl, InEnglish) { expect_texts_fit({}, "1"); }
+TEST_F(TextsFitGl, InEnglish) {
+    expect_texts_fit({}, "1");
+    expect_stories_fit("en");
+}
 TEST_F(TextsFitGl, InEnglishMagnified) { expect_texts_fit({}, "1.5"); }
 TEST_F(TextsFitGl, InChinese) {
     if (!chinese_font()) {
@@ -98,6 +119,7 @@ TEST_F(TextsFitGl, InChinese) {
     }
     expect_texts_fit({"--lang", "zh"}, "1");
     expect_texts_fit({"--lang", "zh"}, "1.5");
+    expect_stories_fit("zh");
 }
 
 } // namespace

@@ -8,8 +8,8 @@ namespace {
 
 class StabilityGl : public GlCommandTest {
   protected:
-    [[nodiscard]] ProcessResult stability(const std::string &chosen) const {
-        return run_sandbox({"stability", "--out", folder.file("out"), "--json", "--case", chosen});
+    [[nodiscard]] ProcessResult stability(const std::string &chosen, const std::string &language = "en") const {
+        return run_sandbox({"stability", "--out", folder.file("out"), "--json", "--case", chosen, "--lang", language});
     }
 };
 
@@ -20,6 +20,13 @@ TEST_F(StabilityGl, RunsABuiltInCaseByItsName) {
     EXPECT_EQ(folder.read("out/stability.json"), result.out);
     EXPECT_NE(folder.read("out/stability.csv").find("spot-cutoff-0,spot,robust"), std::string::npos);
     EXPECT_NE(folder.read("out/stability.html").find("within its bound"), std::string::npos);
+}
+
+/// What programs read is the same in every language.
+TEST_F(StabilityGl, ItsPageIsInALanguage) {
+    const ProcessResult chinese = stability("spot-cutoff-0", "zh");
+    EXPECT_NE(folder.read("out/stability.html").find("症状"), std::string::npos);
+    EXPECT_NE(chinese.out.find("below a lamp whose cone has no width"), std::string::npos);
 }
 
 TEST_F(StabilityGl, RunsACaseFromAFileAndSaysWhenItsBoundIsBroken) {

@@ -45,5 +45,14 @@ TEST(Words, RefuseWhatIsNoText) {
     EXPECT_EQ(error_of([] { Words("en", R"({"a": 1})", "en.json"); }), "en.json: a: expected a string, got 1");
 }
 
+TEST(Words, AreSpacedAsChineseIsWherePutTogether) {
+    const Words chinese = words_in("zh");
+    EXPECT_EQ(spaced(chinese, "A 与B的最大误差"), "A 与 B 的最大误差");
+    EXPECT_EQ(spaced(chinese, "A 与 真值 的误差，与 逐面，Phong 之比"), "A 与真值的误差，与逐面，Phong 之比");
+    EXPECT_EQ(spaced(chinese, "B 与颜色 (0, 0, 0)的误差"), "B 与颜色 (0, 0, 0) 的误差");
+    EXPECT_EQ(spaced(chinese, "n = 32"), "n = 32");
+    EXPECT_EQ(spaced(words_in("en"), "A 与B"), "A 与B");
+}
+
 } // namespace
 } // namespace sandbox

@@ -17,7 +17,7 @@ std::string tip(const Words &words, const WorkPrecision &m, std::size_t i) {
     const Norms &error = row.errors->total.norms;
     return words.format("report.tip", to_string(row.plan.technique), mesh_words(words, m.meshes[row.plan.mesh]),
                         row.time ? words.format("report.tip_ms", milliseconds_text(row.time->median)) : "",
-                        short_number(error.rmse), short_number(error.max_abs));
+                        short_number(words, error.rmse), short_number(words, error.max_abs));
 }
 
 /// The error alone, rung by rung: the slope of a line is the order.
@@ -104,13 +104,14 @@ std::string error_split(const ReportRun &run) {
             std::vector<std::string> parts;
             for (const ErrorPart &part : error_parts) {
                 shares.parts.push_back(part.rmse(row.errors->split));
-                parts.push_back(fmt::format("{} {}", title_of(run.words, part), short_number(shares.parts.back())));
+                parts.push_back(
+                    fmt::format("{} {}", title_of(run.words, part), short_number(run.words, shares.parts.back())));
             }
             bars.push_back(
                 {run.words.format("technique.pair", title_of(run.words, frequency_key, static_cast<int>(frequency)),
                                   short_mesh_words(run.words, m.meshes[row.plan.mesh])),
-                 "RMSE " + short_number(row.errors->total.norms.rmse), fmt::format("{}", fmt::join(parts, ", ")),
-                 shares, first && !bars.empty()});
+                 "RMSE " + short_number(run.words, row.errors->total.norms.rmse),
+                 fmt::format("{}", fmt::join(parts, run.words.text("list.comma"))), shares, first && !bars.empty()});
             first = false;
         }
     }

@@ -87,7 +87,7 @@ std::vector<ReportPicture> report_pictures(const Words &words, const WorkPrecisi
             pictures.push_back({words.text(title),
                                 words.format("report.picture", to_string(row->plan.technique), mesh_words(words, mesh)),
                                 to_display(draw.picture(mesh.scene, row->plan.technique).color),
-                                "RMSE " + short_number(row->errors->total.norms.rmse)});
+                                "RMSE " + short_number(words, row->errors->total.norms.rmse)});
         }
     }
     return pictures;

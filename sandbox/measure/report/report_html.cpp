@@ -6,6 +6,7 @@
 #include "measure/report/svg.h"
 #include "measure/report/tables.h"
 #include "measure/report/text.h"
+#include "words/row_words.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -26,7 +27,7 @@ std::string runs_table(const Words &words, const std::vector<ReportRun> &runs) {
         const std::string &llvmpipe = run.machine.llvmpipe_threads;
         table.begin_row();
         table.text(run_name(words, i) + (run.measured.finished ? "" : words.text("report.incomplete")));
-        table.text(escaped(run.measured.scene.name));
+        table.text(escaped(file_text(words, run.measured.scene.name)));
         table.text(fmt::format("{} &times; {}", size.width, size.height));
         table.text(escaped(run.machine.renderer));
         table.text(escaped(run.machine.opengl));
@@ -124,9 +125,9 @@ std::string heading(const ReportRun &run) {
     const Words &words = run.words;
     const WorkPrecision &m = run.measured;
     std::string text = fmt::format(R"(<header><p class="kicker">{}</p><h1>{}</h1>)", words.text("report.title"),
-                                   escaped(m.scene.name));
+                                   escaped(file_text(words, m.scene.name)));
     if (!m.scene.description.empty()) {
-        text += fmt::format(R"(<p class="lead">{}</p>)", escaped(m.scene.description));
+        text += fmt::format(R"(<p class="lead">{}</p>)", escaped(file_text(words, m.scene.description)));
     }
     text += fmt::format(R"(<p class="facts">{} &middot; {} &middot; Shading Sandbox {} &middot; {} UTC</p>)",
                         words.format("report.pixels", m.options.size.width, m.options.size.height),
@@ -151,7 +152,8 @@ std::string report_html(const std::vector<ReportRun> &runs) {
                 method(run);
     }
     return page(words,
-                runs.empty() ? words.text("report.report") : words.format("report.of", runs[0].measured.scene.name),
+                runs.empty() ? words.text("report.report")
+                             : words.format("report.of", file_text(words, runs[0].measured.scene.name)),
                 body);
 }
 

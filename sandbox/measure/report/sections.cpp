@@ -21,7 +21,8 @@ std::string cheapest_card(const Words &words, const WorkPrecision &m) {
     const MeasuredRow &found = m.rows[*row];
     return card(top, escaped(to_string(found.plan.technique)),
                 words.format("report.row", escaped(mesh_words(words, m.meshes[found.plan.mesh])),
-                             milliseconds_text(found.time->median), short_number(found.errors->total.norms.rmse)),
+                             milliseconds_text(found.time->median),
+                             short_number(words, found.errors->total.norms.rmse)),
                 true);
 }
 
@@ -96,12 +97,12 @@ void add_time(Table &table, const std::optional<RunTime> &time) {
     add(shown.upper_quartile - shown.lower_quartile);
 }
 
-void add_errors(Table &table, const RowErrors &errors) {
+void add_errors(Table &table, const Words &words, const RowErrors &errors) {
     for_each_metric(errors.total, [&](const auto &metric, const auto &measured) {
         if (!metric.heading.empty()) {
             const bool bad = errors.total.nonfinite_pixels > 0;
             const bool marked = !why_untrusted(errors.total).empty();
-            table.number(metric.value(measured).value_or(0), quantity_text(metric, measured),
+            table.number(metric.value(measured).value_or(0), quantity_text(words, metric, measured),
                          bad              ? "bad"
                          : marked         ? "unsettled"
                          : metric.whole() ? "q"
@@ -109,7 +110,7 @@ void add_errors(Table &table, const RowErrors &errors) {
         }
     });
     for (const ErrorPart &part : error_parts) {
-        table.number(part.rmse(errors.split), short_number(part.rmse(errors.split)), "q");
+        table.number(part.rmse(errors.split), short_number(words, part.rmse(errors.split)), "q");
     }
 }
 
@@ -128,7 +129,7 @@ void add_row(Table &table, const Words &words, const WorkPrecision &m, const Mea
         table.rest(words.text("report.not_measured"), "q");
     } else {
         add_time(table, row.time);
-        add_errors(table, *row.errors);
+        add_errors(table, words, *row.errors);
     }
 }
 
@@ -161,7 +162,10 @@ std::string method(const ReportRun &run) {
     const Words &words = run.words;
     std::vector<std::string> omitted, spent;
     for (const OmittedRow &row : m.omitted) {
-        omitted.push_back(fmt::format("<code>{}</code>: {}", escaped(row.technique), escaped(row.reason)));
+        const std::string reason = row.reason.starts_with(same_program)
+                                       ? words.format("report.same_program", row.reason.substr(same_program.size()))
+                                       : row.reason;
+        omitted.push_back(words.format("page.fact", "<code>" + escaped(row.technique) + "</code>", escaped(reason)));
     }
     for (const Quantity<Accounting> &part : accounting_quantities) {
         spent.push_back(words.format("report.spent_part", part.value(m.seconds).value_or(0), heading_of(words, part)));
@@ -175,7 +179,7 @@ std::string method(const ReportRun &run) {
         item("LP_NUM_THREADS",
              machine.llvmpipe_threads.empty() ? words.text("report.not_set") : escaped(machine.llvmpipe_threads)) +
         line("program", fmt::format("Shading Sandbox {}, {}", escaped(run.version), escaped(machine.build))) +
-        line("clock", escaped(machine.clock)) +
+        line("clock", escaped(file_text(words, machine.clock))) +
         line("rounds", words.format("report.rounds", m.options.warm_ups, m.options.repeats)) +
         line("frame", words.text("report.frame")) +
         line("truth", m.no_analytic_surface.empty()

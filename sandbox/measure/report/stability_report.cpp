@@ -67,37 +67,44 @@ void add_csv_row(CsvTable &table, const StabilityResult &result, const Stability
     }
 }
 
-std::string form_figure(const Words &words, const char *form, const StabilityRow &row, const ByteImage &image) {
-    return html::figure(form, row.metrics.nonfinite_pixels > 0 ? "" : "error", error_words(words, row), image);
+std::string form_figure(const Words &words, std::string_view form, const StabilityRow &row, const ByteImage &image) {
+    return html::figure(words.text(form), row.metrics.nonfinite_pixels > 0 ? "" : words.text("report.column.error"),
+                        error_words(words, row), image);
 }
 
 std::string case_html(const Words &words, const StabilityResult &result) {
     const StabilityCase &judged = result.definition;
     const auto [style, verdict] =
-        result.passed() ? std::pair("kept", "within its bound") : std::pair("broken", "bound broken");
+        result.passed() ? std::pair("kept", "stability.page.kept") : std::pair("broken", "stability.page.broken");
     std::string story;
     for (const auto &[term, text] :
-         {std::pair("Here", result.textbook_breaks() ? "" : seen_on_words(words, judged)),
-          std::pair("Symptom", judged.symptom), std::pair("Cause", judged.cause), std::pair("Met in", judged.source),
-          std::pair("Textbook", textbook_words(words, judged)), std::pair("Bound", bound_words(words, judged)),
-          std::pair("Cost", cost_words(words, result))}) {
-        story += text.empty() ? "" : fmt::format("<dt>{}</dt><dd>{}</dd>", term, html::escaped(text));
+         {std::pair("stability.here", result.textbook_breaks() ? "" : seen_on_words(words, judged)),
+          std::pair("stability.symptom", file_text(words, judged.symptom)),
+          std::pair("stability.cause", file_text(words, judged.cause)),
+          std::pair("stability.met_in", file_text(words, judged.source)),
+          std::pair("stability.textbook_title", textbook_words(words, judged)),
+          std::pair("stability.bound", bound_words(words, judged)),
+          std::pair("stability.cost_title", cost_words(words, result))}) {
+        story += text.empty() ? "" : fmt::format("<dt>{}</dt><dd>{}</dd>", words.text(term), html::escaped(text));
     }
     std::string warnings;
     for (const StabilityRow &row : result.rows) {
         if (!row.passed) {
-            warnings += fmt::format("<p class=\"warning\">{}: {}; {} pixels compared, {} show another object</p>",
-                                    html::technique_code(row.technique), error_words(words, row),
-                                    row.metrics.compared_pixels, row.metrics.silhouette_pixels);
+            warnings += fmt::format("<p class=\"warning\">{}</p>",
+                                    words.format("stability.page.warning", html::technique_code(row.technique),
+                                                 error_words(words, row), row.metrics.compared_pixels,
+                                                 row.metrics.silhouette_pixels));
         }
     }
     return fmt::format(
         "<article class=\"case\" id=\"{0}\"><h3>{0}<span class=\"badge {1}\">{2}</span></h3>\n"
         "<div class=\"body\"><div class=\"three\">{3}{4}{5}</div><div><dl>{6}</dl>\n{7}</div></div></article>\n",
-        html::escaped(judged.name), style, verdict,
-        form_figure(words, "Textbook", result.textbook, result.textbook_image),
-        form_figure(words, "Robust", result.rows.front(), result.robust_image),
-        html::figure("Reference", "in double", "", result.reference_image), story, warnings);
+        html::escaped(judged.name), style, words.text(verdict),
+        form_figure(words, "stability.textbook_title", result.textbook, result.textbook_image),
+        form_figure(words, "stability.robust_title", result.rows.front(), result.robust_image),
+        html::figure(words.text("stability.reference_title"), words.text("stability.in_double"), "",
+                     result.reference_image),
+        story, warnings);
 }
 
 using Results = std::vector<const StabilityResult *>;
@@ -117,10 +124,14 @@ std::string title_of(const Words &words, std::string_view title, const Results &
     return words.format("stability.list", words.text(title), list.size());
 }
 
-std::string table_html(const Results &list) {
-    html::Table table({"case", "textbook's error", "not finite", "robust error, worst", "of technique", "not finite",
-                       "bound", "cost", "verdict"});
-    const auto add_error = [&](const StabilityRow &row) { table.number(row.error, short_number(row.error)); };
+std::string table_html(const Words &words, const Results &list) {
+    std::vector<std::string> heads;
+    for (const char *head : {"case", "textbook_error", "nonfinite", "worst_error", "of_technique", "nonfinite", "bound",
+                             "cost", "verdict"}) {
+        heads.push_back(words.text(fmt::format("stability.column.{}", head)));
+    }
+    html::Table table(std::move(heads));
+    const auto add_error = [&](const StabilityRow &row) { table.number(row.error, short_number(words, row.error)); };
     const auto add_nonfinite = [&](const StabilityRow &row) {
         const auto count = row.metrics.nonfinite_pixels;
         table.number(static_cast<double>(count), fmt::format("{}", count));
@@ -138,7 +149,8 @@ std::string table_html(const Results &list) {
         add_nonfinite(worst);
         table.number(result.definition.bound, short_number(result.definition.bound));
         table.number(cost.value_or(0), cost ? short_number(*cost) : "");
-        table.text(result.passed() ? "within" : "broken", result.passed() ? "" : "bad");
+        table.text(words.text(result.passed() ? "stability.page.within" : "stability.page.beyond"),
+                   result.passed() ? "" : "bad");
     }
     return table.html();
 }
@@ -150,9 +162,9 @@ std::string group_sections(const Words &words, const Results &results) {
         const std::string &group = results[i]->definition.group;
         body += case_html(words, *results[i]);
         if (i + 1 == results.size() || results[i + 1]->definition.group != group) {
-            const std::string name = html::escaped(group);
-            const auto first = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
-            sections += html::section(name, first + name.substr(1), "", body);
+            const std::string title = html::escaped(file_text(words, group));
+            const auto first = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+            sections += html::section(html::escaped(group), first + title.substr(1), "", body);
             body.clear();
         }
     }
@@ -183,35 +195,35 @@ std::string table_lines(const Words &words, const StabilityResult &result, std::
 } // namespace
 
 std::string stability_html(const StabilityRun &run) {
+    const Words &words = run.words;
     const auto kept = std::ranges::count_if(run.results, [](const StabilityResult &r) { return r.passed(); });
     const Results breaks = list_of(run, true), holds = list_of(run, false);
-    const auto of_all = [&](auto count) { return fmt::format("{} of {}", count, run.results.size()); };
-    const std::string header = fmt::format(
-        R"(<header><p class="kicker">Numerical stability</p><h1>Stiff and extreme cases</h1><p class="lead">Scenes on )"
-        R"(which a textbook's float32 formulas break: drawn, and judged against the same equation in double.</p>)"
-        R"(<p class="facts">{} &times; {} pixels &middot; {} &middot; Shading Sandbox {}</p></header>)"
-        "\n",
-        stability_size.width, stability_size.height, html::escaped(run.renderer), html::escaped(run.version));
-    const std::string cards = html::card("", of_all(kept), "within their bound as this program draws them") +
-                              html::card("", of_all(breaks.size()), "break in the textbook's form on this renderer") +
-                              html::card("", of_all(holds.size()), "in which nothing breaks on this renderer");
-    const std::string tables =
-        html::section("table", title_of(run.words, breaks_title, breaks),
-                      "A case keeps its bound if every pixel is finite and the largest difference over the compared "
-                      "pixels stays within it, for every technique of the case. Cost is run time over that of the same "
-                      "program without guards and stable powers, taken in turns; 1 where the scene needs none.",
-                      table_html(breaks)) +
-        html::section("table", title_of(run.words, holds_title, holds),
-                      "The textbook's form stays within the bound here. Each case says where its damage was seen.",
-                      table_html(holds));
+    const auto card = [&](auto count, std::string_view below) {
+        return html::card("", words.format("stability.page.of", count, run.results.size()), words.text(below));
+    };
+    const std::string header = fmt::format(R"(<header><p class="kicker">{}</p><h1>{}</h1><p class="lead">{}</p>)"
+                                           R"(<p class="facts">{} &middot; {} &middot; Shading Sandbox {}</p></header>)"
+                                           "\n",
+                                           words.text("stability.page.kicker"), words.text("stability.page"),
+                                           words.text("stability.page.lead"),
+                                           words.format("report.pixels", stability_size.width, stability_size.height),
+                                           html::escaped(run.renderer), html::escaped(run.version));
+    const std::string cards = card(kept, "stability.page.all_kept") +
+                              card(breaks.size(), "stability.page.textbook_breaks") +
+                              card(holds.size(), "stability.page.nothing_breaks");
+    const auto table = [&](std::string_view title, const Results &list, std::string_view lead) {
+        return html::section("table", title_of(words, title, list), words.text(lead), table_html(words, list));
+    };
     std::string unbroken;
     for (const StabilityResult *result : holds) {
-        unbroken += case_html(run.words, *result);
+        unbroken += case_html(words, *result);
     }
     return html::page(
-        run.words, run.words.text("stability.page"),
-        header + "<div class=\"cards\">" + cards + "</div>\n" + tables + group_sections(run.words, breaks) +
-            html::section("holds", run.words.text(holds_title), "The symptom is what was seen elsewhere.", unbroken));
+        words, words.text("stability.page"),
+        header + "<div class=\"cards\">" + cards + "</div>\n" +
+            table(breaks_title, breaks, "stability.page.breaks_lead") +
+            table(holds_title, holds, "stability.page.holds_lead") + group_sections(words, breaks) +
+            html::section("holds", words.text(holds_title), words.text("stability.page.elsewhere"), unbroken));
 }
 
 std::string stability_json(const StabilityRun &run) {
@@ -267,7 +279,7 @@ std::string textbook_words(const Words &words, const StabilityCase &judged) {
 
 std::string seen_on_words(const Words &words, const StabilityCase &judged) {
     return judged.seen_on.empty() ? words.text("stability.unbroken")
-                                  : words.format("stability.seen_on", judged.seen_on);
+                                  : words.format("stability.seen_on", file_text(words, judged.seen_on));
 }
 
 std::string bound_words(const Words &words, const StabilityCase &judged) {

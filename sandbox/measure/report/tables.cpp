@@ -79,8 +79,8 @@ std::string order_table(const Words &words, const WorkPrecision &m, const std::v
     return table.html();
 }
 
-std::string two_lines(double upper, double lower) {
-    return fmt::format(R"({}<br><span class="q">{}</span>)", short_number(upper), short_number(lower));
+std::string two_lines(const Words &words, double upper, double lower) {
+    return fmt::format(R"({}<br><span class="q">{}</span>)", short_number(words, upper), short_number(words, lower));
 }
 
 } // namespace
@@ -160,8 +160,8 @@ std::string power(const ReportRun &run) {
         table.text(technique_code(row.plan.technique));
         for (const auto *shown : {&row, &base}) {
             const Norms &arithmetic = shown->errors->split.arithmetic;
-            table.number(arithmetic.rmse, short_number(arithmetic.rmse));
-            table.number(arithmetic.max_abs, short_number(arithmetic.max_abs));
+            table.number(arithmetic.rmse, short_number(run.words, arithmetic.rmse));
+            table.number(arithmetic.max_abs, short_number(run.words, arithmetic.max_abs));
         }
         table.number(times.median, ratio_text(times));
     }
@@ -180,8 +180,8 @@ std::string claims(const ReportRun &run) {
         table.text(escaped(claim.says));
         table.text(fmt::format(R"({}<br><span class="q">{}</span>)", technique_code(row.plan.technique),
                                technique_code(against.plan.technique)));
-        table.number(error.rmse, two_lines(error.rmse, other.rmse));
-        table.number(error.max_abs, two_lines(error.max_abs, other.max_abs));
+        table.number(error.rmse, two_lines(run.words, error.rmse, other.rmse));
+        table.number(error.max_abs, two_lines(run.words, error.max_abs, other.max_abs));
         table.number(claim.time.median, ratio_text(claim.time));
         table.text(escaped(claim.finding));
     }

@@ -24,6 +24,12 @@ std::string short_number(double value) {
     return fmt::format("{:.{}f}", value, decimals);
 }
 
+std::string short_number(const Words &words, double value) {
+    return std::isnan(value)       ? words.text("report.none")
+           : !std::isfinite(value) ? words.text("difference.not_finite")
+                                   : short_number(value);
+}
+
 std::string milliseconds_text(double value) {
     return fmt::format("{:.{}f}", value, value >= 100 ? 0 : value >= 10 ? 1 : value >= 1 ? 2 : 3);
 }

@@ -13,12 +13,12 @@ namespace sandbox {
 
 /// Three digits: "0.00123", "4.56e-07", "12.3"; "not finite"; "none" of NaN, where nothing was compared.
 std::string short_number(double value);
+/// The same in the language of `words`.
+std::string short_number(const Words &words, double value);
 /// A count, or three digits; "none" where there is no such number.
-template <class T> std::string quantity_text(const Quantity<T> &quantity, const T &measured) {
-    const std::optional<double> value = quantity.value(measured);
-    return !value || std::isnan(*value) ? "none"
-           : quantity.whole()           ? fmt::format("{:.0f}", *value)
-                                        : short_number(*value);
+template <class T> std::string quantity_text(const Words &words, const Quantity<T> &quantity, const T &measured) {
+    const double value = quantity.value(measured).value_or(std::nan(""));
+    return quantity.whole() && !std::isnan(value) ? fmt::format("{:.0f}", value) : short_number(words, value);
 }
 /// As a table shows milliseconds: "0.123", "12.3".
 std::string milliseconds_text(double value);

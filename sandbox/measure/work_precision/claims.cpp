@@ -12,10 +12,10 @@ std::string two_digits(double value) {
 
 std::string error_words(const Words &words, double error, double base) {
     if (!std::isfinite(error) || !std::isfinite(base)) {
-        return "a picture that is not finite";
+        return words.text("answer.not_finite");
     }
     if (error == base) {
-        return "the same error";
+        return words.text("answer.equal_error");
     }
     if (base == 0 || error == 0) {
         return words.text(error == 0 ? "answer.no_error" : "answer.new_error");

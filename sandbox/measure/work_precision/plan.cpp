@@ -78,7 +78,7 @@ class Selection {
         const auto features = object_features(scene_, specialised(technique), resources_);
         for (const auto &[other, its_features] : kept_) {
             if (other.program == technique.program && its_features == features) {
-                omitted.push_back({to_string(technique), "the same program as " + to_string(other)});
+                omitted.push_back({to_string(technique), std::string(same_program) + to_string(other)});
                 return;
             }
         }

@@ -43,8 +43,9 @@ struct PlannedRow {
 
 struct OmittedRow {
     std::string technique;
-    std::string reason;
+    std::string reason; ///< same_program and a technique
 };
+inline constexpr std::string_view same_program = "the same program as ";
 
 struct Plan {
     std::vector<PlannedMesh> meshes; ///< from coarse to fine; the own ones, if no rung equals them, first

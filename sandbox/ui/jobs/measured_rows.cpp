@@ -44,19 +44,21 @@ std::vector<std::string> row_lines(const Words &words, const WorkPrecision &meas
     }
     if (row.errors) {
         std::vector<std::string> errors, parts;
+        const std::string &comma = words.text("list.comma");
         for (const ErrorNorm norm : error_norms) {
-            errors.push_back(
-                fmt::format("{} {}", title_of(words, norm), short_number(value_of(row.errors->total.norms, norm))));
+            errors.push_back(fmt::format("{} {}", title_of(words, norm),
+                                         short_number(words, value_of(row.errors->total.norms, norm))));
         }
         for (const ErrorPart &part : error_parts) {
-            parts.push_back(fmt::format("{} {}", title_of(words, part), short_number(part.rmse(row.errors->split))));
+            parts.push_back(
+                fmt::format("{} {}", title_of(words, part), short_number(words, part.rmse(row.errors->split))));
         }
-        lines.push_back(fmt::format("{}", fmt::join(errors, ", ")));
+        lines.push_back(fmt::format("{}", fmt::join(errors, comma)));
         if (const std::string mark = why_untrusted(words, row.errors->total); !mark.empty()) {
             lines.push_back(mark);
         }
-        lines.push_back(words.format("row.parts", fmt::join(parts.begin(), parts.begin() + 2, ", ")));
-        lines.push_back(fmt::format("{}", fmt::join(parts.begin() + 2, parts.end(), ", ")));
+        lines.push_back(words.format("row.parts", fmt::join(parts.begin(), parts.begin() + 2, comma)));
+        lines.push_back(fmt::format("{}", fmt::join(parts.begin() + 2, parts.end(), comma)));
     }
     return lines;
 }

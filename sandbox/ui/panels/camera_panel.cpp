@@ -1,6 +1,7 @@
 #include "scene/orbit.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/property_rows.h"
+#include "words/row_words.h"
 
 #include <imgui.h>
 #include <string>
@@ -27,8 +28,9 @@ void named_views(Session &session) {
     for (std::size_t i = 0; i < session.document.scene.views.size(); ++i) {
         const View view = session.document.scene.views[i];
         const ScopedId id(i);
-        same_line_if_fits(button_width(view.name));
-        view_button(session, view.name, view.camera);
+        const Label name(file_text(session.words, view.name), view.name);
+        same_line_if_fits(button_width(name.shown));
+        view_button(session, name, view.camera);
     }
 }
 

@@ -3,6 +3,7 @@
 #include "ui/panels/panels.h"
 #include "ui/panels/technique_panel.h"
 #include "ui/widgets/widgets.h"
+#include "words/row_words.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -71,8 +72,10 @@ bool object_choice(Session &session) {
         std::vector<Label> names;
         for (const Object &object : objects) {
             const std::size_t number = names.size() + 1;
-            names.push_back(object.name.empty() ? session.label("object.numbered", number)
-                                                : Label(fmt::format("{}  {}", number, object.name)));
+            names.push_back(object.name.empty()
+                                ? session.label("object.numbered", number)
+                                : Label(fmt::format("{}  {}", number, file_text(session.words, object.name)),
+                                        fmt::format("{}  {}", number, object.name)));
         }
         choice_row(session, session.label("object"), names, session.object, session.text("object.help"));
     }

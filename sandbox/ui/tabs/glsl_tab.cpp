@@ -6,6 +6,7 @@
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
+#include "words/row_words.h"
 
 #include <algorithm>
 #include <array>
@@ -137,7 +138,8 @@ void GlslTab::draw(Session &session, ViewPainter &painter) {
                                               list_program(session, painter, true)};
         const std::size_t stage = stage_choice(session);
         if (objects.size() > 1) {
-            const std::string of = session.text("glsl.object", session.object + 1, objects[session.object].name);
+            const std::string of =
+                session.text("glsl.object", session.object + 1, file_text(session.words, objects[session.object].name));
             same_line_if_fits(ImGui::CalcTextSize(of.c_str()).x);
             ImGui::TextColored(quiet_text(), "%s", of.c_str());
         }

@@ -74,12 +74,12 @@ void PixelProbeTab::follow(Session &session, ViewPainter &painter) {
 void PixelProbeTab::table(Session &session, const PixelFindings &found) {
     const bool two_truths = !found.of.one_truth();
     const int columns = two_truths ? 5 : 4;
-    constexpr ImGuiTableFlags flags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerV |
-                                      ImGuiTableFlags_SizingFixedFit;
+    constexpr ImGuiTableFlags flags = ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg |
+                                      ImGuiTableFlags_BordersInnerV | ImGuiTableFlags_SizingFixedFit;
     if (!ImGui::BeginTable("probe", columns, flags)) {
         return;
     }
-    ImGui::TableSetupScrollFreeze(0, 1);
+    ImGui::TableSetupScrollFreeze(1, 1);
     ImGui::TableSetupColumn("");
     ImGui::TableSetupColumn("A");
     ImGui::TableSetupColumn("B");

@@ -5,6 +5,7 @@
 #include "ui/tabs/stability_table.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
+#include "words/row_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +35,7 @@ void failed_rows(const Words &words, const StabilityResult &result) {
     for (const StabilityRow &row : result.rows) {
         if (!row.passed) {
             wrapped_text(error_text(), words.format("stability.failed_row", to_string(row.technique),
-                                                    short_number(row.error), row.metrics.nonfinite_pixels));
+                                                    short_number(words, row.error), row.metrics.nonfinite_pixels));
         }
     }
 }
@@ -123,9 +124,9 @@ void StabilityDetails::draw(const Session &session, const ListedCase &listed) {
     if (textbook_verdict(listed) == Verdict::holds) {
         story_line(words.text("stability.here"), seen_on_words(words, definition));
     }
-    story_line(words.text("stability.symptom"), definition.symptom);
-    story_line(words.text("stability.cause"), definition.cause);
-    story_line(words.text("stability.met_in"), definition.source);
+    story_line(words.text("stability.symptom"), file_text(words, definition.symptom));
+    story_line(words.text("stability.cause"), file_text(words, definition.cause));
+    story_line(words.text("stability.met_in"), file_text(words, definition.source));
     story_line(words.text("stability.bound"), bound_words(words, definition));
     if (const std::string cost = listed.result ? cost_words(words, *listed.result) : ""; !cost.empty()) {
         story_line(words.text("stability.cost_title"), cost);

@@ -8,6 +8,7 @@
 #include "ui/tabs/stability_table.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
+#include "words/row_words.h"
 
 #include <algorithm>
 #include <exception>
@@ -163,8 +164,11 @@ void StabilityTab::filter_controls(Session &session) {
     const float em = ImGui::GetFontSize();
     same_line_if_fits(em * 9);
     ImGui::SetNextItemWidth(em * 9);
-    std::vector<Label> groups(groups_.begin(), groups_.end());
-    groups.front() = session.label("stability.all_groups");
+    std::vector<Label> groups;
+    for (const std::string &group : groups_) {
+        groups.push_back(group.empty() ? session.label("stability.all_groups")
+                                       : Label(file_text(session.words, group), group));
+    }
     if (combo(session, "group", groups, group_, session.text("stability.group.help"))) {
         filter_.group = group_ == 0 ? "" : groups_[group_];
     }

@@ -1,7 +1,9 @@
 #include "ui/tabs/stability_table.h"
 
+#include "ui/views/view_captions.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
+#include "words/row_words.h"
 
 #include <algorithm>
 #include <string>
@@ -14,12 +16,14 @@ namespace {
 bool row(Session &session, const ListedCase &listed, bool chosen, bool wide) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
+    const std::string name = shortened(short_name(listed.definition), ImGui::GetContentRegionAvail().x);
     const bool clicked =
-        ImGui::Selectable(short_name(listed.definition).c_str(), chosen, ImGuiSelectableFlags_SpanAllColumns);
-    describe_item(session, listed.name(), listed.definition.symptom);
+        ImGui::Selectable(Label(name, listed.name()).id().c_str(), chosen, ImGuiSelectableFlags_SpanAllColumns);
+    const std::string symptom = file_text(session.words, listed.definition.symptom);
+    describe_item(session, listed.name(), symptom);
     if (wide) {
         ImGui::TableNextColumn();
-        ImGui::TextUnformatted(listed.definition.symptom.c_str());
+        ImGui::TextUnformatted(symptom.c_str());
     }
     ImGui::TableNextColumn();
     ImGui::TextColored(verdict_color(textbook_verdict(listed)), "%s", textbook_text(session.words, listed).c_str());
@@ -42,7 +46,11 @@ void group_row(const std::string &group) {
 void title_row(const std::string &title) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::Selectable(title.c_str(), false, ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_Disabled);
+    const ImDrawList &list = *ImGui::GetWindowDrawList();
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    ImGui::PushClipRect(list.GetClipRectMin(), {right, list.GetClipRectMax().y}, false);
+    ImGui::TextDisabled("%s", title.c_str());
+    ImGui::PopClipRect();
 }
 
 } // namespace
@@ -86,7 +94,7 @@ std::optional<std::size_t> case_table(Session &session, const std::vector<Listed
         for (const std::size_t i : list.cases) {
             if (cases[i].definition.group != group) {
                 group = cases[i].definition.group;
-                group_row(group);
+                group_row(file_text(session.words, group));
             }
             if (row(session, cases[i], i == chosen, wide)) {
                 clicked = i;

@@ -165,15 +165,6 @@ void draw_figures(Session &session, const ViewPainter &painter, const Rect &rect
                    timed ? longest_that_fits(time_texts(session.words, *side->time), room) : "", align_right);
 }
 
-/// Of built-in scenes in the window's language.
-std::string description_of(const Session &session) {
-    const Document &document = session.document;
-    const bool builtin = std::ranges::find(session.scenes, document.opened->name) != session.scenes.end();
-    return builtin
-               ? row_text(session.words, fmt::format("builtin.{}", document.opened->name), document.scene.description)
-               : document.scene.description;
-}
-
 } // namespace
 
 std::string shortened(std::string text, float width) {
@@ -207,7 +198,7 @@ void draw_header(Session &session, const ViewPainter &painter, ImVec2 corner, fl
     const Rect rect{corner, {corner.x + width, corner.y + 2 * line}};
     draw_text_line(session, "View/differ", rect, corner.y, ImGui::GetStyleColorVec4(ImGuiCol_Text),
                    header_text(session, painter), false);
-    const std::string description = description_of(session);
+    const std::string description = file_text(session.words, session.document.scene.description);
     draw_text_line(session, "View/description", rect, corner.y + line, ImGui::GetStyleColorVec4(ImGuiCol_Text),
                    shortened(description, width - ImGui::GetFontSize()), false);
     if (ImGui::IsMouseHoveringRect({corner.x, corner.y + line}, rect.high)) {

@@ -10,6 +10,8 @@ namespace sandbox {
 
 namespace {
 
+constexpr float chinese_square = 0.875F; // of the line's height
+
 void add_font(const std::optional<FontFile> &file, float pixels) {
     ImFontAtlas &atlas = *ImGui::GetIO().Fonts;
     if (!file) {
@@ -28,14 +30,18 @@ void add_font(const std::optional<FontFile> &file, float pixels) {
     atlas.AddFontFromFileTTF(file->path.c_str(), pixels, &config, glyphs);
 }
 
-/// Into the font that was added last. `ranges` must live until the atlas is built.
+/// Into the font that was added last, `pixels` high, as wide and high as Latin type beside it looks. `ranges` must live
+/// until the atlas is built.
 void merge_chinese(float pixels, const ImVector<ImWchar> &ranges) {
     ImFontConfig config;
     config.MergeMode = true;
     config.FontNo = chinese_font()->index;
     config.OversampleH = 1;
     config.PixelSnapH = true;
-    ImGui::GetIO().Fonts->AddFontFromFileTTF(chinese_font()->path.c_str(), pixels, &config, ranges.Data);
+    ImFontAtlas &atlas = *ImGui::GetIO().Fonts;
+    atlas.AddFontFromFileTTF(chinese_font()->path.c_str(), pixels, &config, ranges.Data);
+    // Negative: of a character's square, not of the line, which Chinese fonts have up to half as high again.
+    atlas.ConfigData.back().SizePixels = -pixels * chinese_square;
 }
 
 } // namespace

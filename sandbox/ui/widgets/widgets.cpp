@@ -1,5 +1,6 @@
 #include "ui/widgets/widgets.h"
 
+#include "ui/widgets/line_breaks.h"
 #include "ui/widgets/theme.h"
 
 #include <algorithm>
@@ -285,6 +286,13 @@ void heading(std::string_view text) {
 }
 
 void wrapped_text(const ImVec4 &color, const std::string &text) {
+    if (has_chinese(text)) { // Dear ImGui breaks lines at spaces alone
+        const ImFont &font = *ImGui::GetFont();
+        const float scale = ImGui::GetFontSize() / font.FontSize;
+        const auto advance = [&](char32_t code) { return font.GetCharAdvance(static_cast<ImWchar>(code)) * scale; };
+        ImGui::TextColored(color, "%s", in_lines(text, ImGui::GetContentRegionAvail().x, advance).c_str());
+        return;
+    }
     ImGui::PushTextWrapPos(0);
     ImGui::TextColored(color, "%s", text.c_str());
     ImGui::PopTextWrapPos();

@@ -197,5 +197,23 @@ TEST(Stability, TheFilesHoldWhatWasMeasured) {
     EXPECT_EQ(html.find("http"), std::string::npos); // nothing from elsewhere
 }
 
+/// Stories are translated by their own words; files for programs stay English.
+TEST(Stability, ThePageIsInItsLanguage) {
+    StabilityCase told = plain_case(0.5, 0.01);
+    told.symptom = "The picture is black.";
+    told.cause = "a cause that nobody has translated";
+    StabilityRun run;
+    run.words = words_in("zh");
+    run.results = {run_stability_case(told, fake(0.02), small)};
+    const std::string html = stability_html(run);
+    for (const char *text : {"症状", "画面全黑。", "a cause that nobody has translated", "超出界限"}) {
+        EXPECT_NE(html.find(text), std::string::npos) << text;
+    }
+    for (const char *text : {"Symptom", "The picture is black.", "bound broken"}) {
+        EXPECT_EQ(html.find(text), std::string::npos) << text;
+    }
+    EXPECT_EQ(nlohmann::json::parse(stability_json(run))["cases"][0]["symptom"], "The picture is black.");
+}
+
 } // namespace
 } // namespace sandbox
