@@ -183,9 +183,15 @@ Plan plan_report(const Scene &scene, const PlanOptions &options, const Load &loa
     Plan plan;
     plan.meshes = plan_meshes(scene, options, load);
     Selection selection(scene, load(scene));
-    for_frequencies_and_models([&](const Technique &t) { selection.add(t, RowGroup::ladder); });
+    if (options.only) {
+        selection.add(*options.only, RowGroup::ladder);
+    } else {
+        for_frequencies_and_models([&](const Technique &t) { selection.add(t, RowGroup::ladder); });
+    }
     const auto base = selection.rows;
-    add_variants(selection);
+    if (!options.only) {
+        add_variants(selection);
+    }
     for (std::size_t m = 0; m < plan.meshes.size(); ++m) {
         const auto &rows = plan.meshes[m].own ? selection.rows : base;
         for (const auto &[technique, group] : rows) {
