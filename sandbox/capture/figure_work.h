@@ -41,15 +41,16 @@ Figure error_time_figure(const FigureWork &work, const Progress &progress);
 /// A picture of `capture` and its sidecar, from which the command makes it again.
 void add_capture(Figure &figure, const FigureWork &work, const std::string &name, const ByteImage &picture,
                  const std::string &sidecar);
-/// A plot as NAME.svg and NAME.png; `plot` makes it in given words, as pictures may lack a Chinese font.
+/// A plot as NAME.svg and NAME.png; `plot` makes it in given words, as pictures may lack a Chinese
+/// font. One without a point is left out, and the caption says so.
 void add_plot(Figure &figure, const FigureWork &work, const std::string &name,
               const std::function<PlotRequest(const Words &)> &plot);
 
 /// "a | b | c": a row of a table, whose first is its head.
 std::string table_row(const std::vector<std::string> &cells);
 std::string table_head(const std::vector<std::string> &heads);
-/// The heads of error_cells().
-std::vector<std::string> with_error_heads(const Words &words, std::vector<std::string> heads);
+/// The heads of with_error_cells(); `differences`: neither picture is the truth.
+std::vector<std::string> with_error_heads(const Words &words, std::vector<std::string> heads, bool differences = false);
 /// The largest error, in levels of 8 bits, RMSE, in levels.
 std::vector<std::string> with_error_cells(std::vector<std::string> cells, const Metrics &metrics);
 /// Why the errors say too little, as a sentence of its own; empty where they count.

@@ -27,8 +27,8 @@ struct FigureKind {
     Figure (*make)(const FigureWork &, const Progress &);
     double share;
 };
-constexpr FigureKind kinds[]{{pair_figure, 0.03},       {exponents_figure, 0.03}, {subdivision_figure, 0.1},
-                             {difference_figure, 0.02}, {profile_figure, 0.02},   {error_time_figure, 0.8}};
+constexpr FigureKind kinds[]{{pair_figure, 0.04},       {exponents_figure, 0.06}, {subdivision_figure, 0.2},
+                             {difference_figure, 0.03}, {profile_figure, 0.07},   {error_time_figure, 0.6}};
 
 FigureSide side_of(const FigureRequest &request, const FigureDraw &draw, bool right) {
     FigureSide side;
@@ -82,11 +82,11 @@ std::string table_head(const std::vector<std::string> &heads) {
     return table_row(heads) + rule + "\n";
 }
 
-std::vector<std::string> with_error_heads(const Words &words, std::vector<std::string> heads) {
-    for (const ErrorNorm norm : {ErrorNorm::max, ErrorNorm::rmse}) {
-        heads.push_back(norm == ErrorNorm::max ? long_title_of(words, norm) : title_of(words, norm));
-        heads.push_back(words.text("figures.levels"));
-    }
+std::vector<std::string> with_error_heads(const Words &words, std::vector<std::string> heads, bool differences) {
+    heads.push_back(differences ? words.text("figures.largest_difference") : long_title_of(words, ErrorNorm::max));
+    heads.push_back(words.text("figures.levels"));
+    heads.push_back(title_of(words, ErrorNorm::rmse));
+    heads.push_back(words.text("figures.levels"));
     return heads;
 }
 
@@ -119,6 +119,11 @@ void add_capture(Figure &figure, const FigureWork &work, const std::string &name
 
 void add_plot(Figure &figure, const FigureWork &work, const std::string &name,
               const std::function<PlotRequest(const Words &)> &plot) {
+    const PlotLayout layout = lay_out(plot(work.request.words));
+    if (std::ranges::all_of(layout.series, [](const PlotSeries &series) { return series.points.empty(); })) {
+        figure.caption += work.request.words.text("figures.no_plot");
+        return;
+    }
     figure.files.push_back({name + ".svg", plot_file(plot(work.request.words))});
     const Words words = words_of_labels(work.request.pair.language);
     figure.files.push_back({name + ".png", encode_png(plot_picture(plot(words)))});
@@ -166,7 +171,7 @@ Figure exponents_figure(const FigureWork &work, const Progress &progress) {
                            ? ""
                            : words.format("figures.exponent_scale", scene.blinn_exponent_scale)) +
                       sphere_words(words, work.sphere),
-                  table_head(with_error_heads(words, {words.text("figures.shininess")})),
+                  table_head(with_error_heads(words, {words.text("figures.shininess")}, true)),
                   {},
                   {}};
     add_capture(figure, work, "exponents", draw_grid(scene, grid, options, work.draw.painters, "exponents", progress),
@@ -193,7 +198,7 @@ Figure difference_figure(const FigureWork &work, const Progress &) {
                   words.format("figures.difference.caption", title_of(words, left.technique),
                                title_of(words, right.technique), options.gain) +
                       warning(words, work.between),
-                  table_head(with_error_heads(words, {words.text("figures.compared")})) +
+                  table_head(with_error_heads(words, {words.text("figures.compared")}, true)) +
                       table_row(with_error_cells({words.text("figures.a_b")}, work.between)),
                   {},
                   {}};

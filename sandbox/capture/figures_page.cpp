@@ -37,7 +37,8 @@ std::string section_of(const Words &words, std::size_t number, const Figure &fig
         text += is_shown(figure, file.name) ? fmt::format("![{}]({})\n\n", name, file.name) : "";
         files += fmt::format("{}[{}]({})", files.empty() ? "" : words.text("list.comma"), file.name, file.name);
     }
-    text += fmt::format("**{}** {} {}\n\n", name, figure.title, figure.caption);
+    const std::string caption = figure.caption.substr(0, figure.caption.find_last_not_of(' ') + 1);
+    text += fmt::format("**{}** {}{}\n\n", name, figure.title, caption);
     text += figure.table + (figure.table.empty() ? "" : "\n");
     text += words.format("figures.files", files) + "\n\n";
     return text + (figure.commands.empty() ? "" : code(fmt::format("{}", fmt::join(figure.commands, "\n"))) + "\n");
@@ -52,8 +53,8 @@ std::string figures_page(const FigureRequest &request, const FigureDraw &draw, c
     const std::string &about = own != nullptr ? *own : request.scene.description;
     std::string page = fmt::format("# {}\n\n", words.format("figures.page", plain(title)));
     page += about.empty() ? "" : plain(about) + "\n\n";
-    page += words.format("figures.about", SANDBOX_VERSION, draw.by.renderer) + " " + words.text("figures.errors") +
-            "\n\n" + words.text("figures.again") + "\n\n";
+    page += words.format("figures.about", SANDBOX_VERSION, draw.by.renderer) + words.text("figures.errors") + "\n\n" +
+            words.text("figures.again") + "\n\n";
     page += code(fmt::format("shading-sandbox figures {}{} --out {}", request.scene_arguments, request.common_arguments,
                              request.folder)) +
             "\n";

@@ -19,6 +19,8 @@
 namespace sandbox {
 namespace {
 
+constexpr double thick = 6; ///< of the truth's curve, which lies behind the others
+
 /// Rungs of the ladder alone: the scene's own meshes may lie between them.
 std::vector<const MeasuredRow *> rungs_of(const WorkPrecision &measured) {
     std::vector<const MeasuredRow *> rungs;
@@ -45,7 +47,7 @@ ByteImage over_scale(const ByteImage &picture, const Words &words, double larges
         const std::string truth = words.text("truth"), own = words.text("figures.per_vertex");
         draw_scale(whole, strips,
                    {.what = fmt::format("{} - {}", own, truth),
-                    .result = difference_text(words, largest),
+                    .result = difference_text(words, largest) + words.text("difference.edges"),
                     .low = words.format("difference.brighter", truth),
                     .high = words.format("difference.brighter", own),
                     .gain = gain});
@@ -57,23 +59,26 @@ ByteImage over_scale(const ByteImage &picture, const Words &words, double larges
 ByteImage rungs_picture(const FigureWork &work, const WorkPrecision &measured, const DrawRows &draw) {
     const Words words = words_of_labels(work.request.pair.language);
     const PictureOptions &shown = work.request.pair;
-    const Technique technique = *measured.options.only;
+    const Technique technique = measured.options.only.front();
     std::vector<std::string> columns;
     std::vector<Image> views;
     for (const MeasuredRow *row : rungs_of(measured)) {
         const PlannedMesh &mesh = measured.meshes[row->plan.mesh];
-        columns.push_back(words.format("figures.rung", mesh.rings, mesh.triangles));
+        columns.push_back(words.format("mesh.triangles", mesh.triangles));
         views.push_back(draw.picture(mesh.scene, technique).color);
     }
     columns.push_back(words.text("truth"));
     views.push_back(to_frame(report_truth(technique.model, measured.no_analytic_surface.empty(), measured.meshes,
                                           measured.options.size, draw.load))
                         .color);
-    double largest = 0;
+    double largest = 0, largest_error = 0; // edges, where one shows the background, are no errors
     for (const Image &view : views) {
         largest = std::max(largest, largest_difference(view, views.back()));
     }
-    const double gain = fitting_gain(largest);
+    for (const MeasuredRow *row : rungs_of(measured)) {
+        largest_error = std::max(largest_error, row->errors->total.norms.max_abs);
+    }
+    const double gain = fitting_gain(largest_error);
     const std::vector<std::string> rows{title_of(words, technique),
                                         words.format("figures.difference_row", fmt::format("{:g}", gain))};
     const ByteImage grid = grid_picture(rows, columns, measured.options.size, [&](std::size_t row, std::size_t column) {
@@ -103,13 +108,6 @@ std::string rungs_table(const Words &words, const WorkPrecision &measured) {
     return table;
 }
 
-/// A's model if the measurement has it: of models that draw the same picture it has one.
-Model model_of(const FigureWork &work, const WorkPrecision &measured) {
-    const std::vector<Model> models = models_of(measured);
-    const Model wanted = work.request.pair.left.model;
-    return std::ranges::find(models, wanted) != models.end() ? wanted : models.back();
-}
-
 std::string own_mesh_table(const Words &words, const WorkPrecision &measured, Model model) {
     std::string table =
         table_head(with_error_heads(words, {words.text("figures.on_own_mesh"), words.text("figures.milliseconds")}));
@@ -121,6 +119,24 @@ std::string own_mesh_table(const Words &words, const WorkPrecision &measured, Mo
         }
     }
     return table;
+}
+
+/// The cheapest within one level, and those that noise alone may put behind it.
+std::string cheapest_words(const Words &words, const WorkPrecision &measured, Model model) {
+    const auto best = cheapest(measured, model, ErrorNorm::rmse, error_bounds[0]);
+    if (!best) {
+        return {};
+    }
+    const auto name = [&](std::size_t i) {
+        const PlannedRow &row = measured.rows[i].plan;
+        return fmt::format("`{}` ({})", to_string(row.technique), mesh_words(words, measured.meshes[row.mesh]));
+    };
+    std::vector<std::string> ties;
+    for (const std::size_t tie : ties_of(measured, *best, ErrorNorm::rmse, error_bounds[0])) {
+        ties.push_back(name(tie));
+    }
+    return words.format("figures.cheapest", name(*best), milliseconds_text(measured.rows[*best].time->median)) +
+           (ties.empty() ? "" : words.format("figures.ties", fmt::join(ties, words.text("list.comma"))));
 }
 
 std::string machine_words(const Words &words, const Machine &machine) {
@@ -135,7 +151,7 @@ Figure subdivision_figure(const FigureWork &work, const Progress &progress) {
     const bool whole = has_ladder(work.request.scene);
     const Scene &scene = whole ? work.request.scene : work.sphere.scene;
     PlanOptions options = quick_plan();
-    options.only = technique;
+    options.only = {technique};
     options.size = whole ? Size{work.request.view.width / 2, work.request.view.height / 2}
                          : Size{work.request.view.width / 2, work.request.view.width / 2};
     options.warm_ups = options.repeats = 0;
@@ -180,9 +196,9 @@ Figure profile_figure(const FigureWork &work, const Progress &) {
         const auto name = [&](std::string_view side, const Technique &technique) {
             return fmt::format("{}  {}", side, title_of(w, technique));
         };
-        std::vector<NamedCurve> all{{truth_label(w, left.technique), style_truth, luminance_row(truth, y)}};
+        std::vector<NamedCurve> all{{truth_label(w, left.technique), style_truth, luminance_row(truth, y), thick}};
         if (two_truths) {
-            all.push_back({truth_label(w, right.technique), 0, luminance_row(other_truth, y)});
+            all.push_back({truth_label(w, right.technique), 0, luminance_row(other_truth, y), thick});
         }
         all.push_back({name("A", left.technique), style_a, luminance_row(left.drawn.color, y)});
         all.push_back({name("B", right.technique), style_b, luminance_row(right.drawn.color, y)});
@@ -208,31 +224,39 @@ Figure profile_figure(const FigureWork &work, const Progress &) {
 
 Figure error_time_figure(const FigureWork &work, const Progress &progress) {
     const Words &words = work.request.words;
-    const WorkPrecision measured = measure_work_precision(work.request.scene, quick_plan(), work.draw.timed, progress);
+    const Model model = work.request.pair.left.model;
+    PlanOptions options = quick_plan();
+    options.repeats = PlanOptions{}.repeats; // few rows: as many as a full report has cost little
+    for (const Frequency frequency : all_frequencies) {
+        options.only.push_back({.frequency = frequency, .model = model});
+    }
+    const WorkPrecision measured = measure_work_precision(work.request.scene, options, work.draw.timed, progress);
     if (!measured.finished) {
         throw Cancelled();
     }
-    const Model model = model_of(work, measured);
     const std::string model_words = title_of(words, model_key, static_cast<int>(model));
-    const auto best = cheapest(measured, model, ErrorNorm::rmse, error_bounds[0]);
     std::string caption = words.format(
         "figures.error_time.caption", model_words, measured.options.size.width, measured.options.size.height,
         measured.options.repeats,
         words.format(measured.no_analytic_surface.empty() ? "report.truth_surface" : "report.truth_mesh", model_words));
-    if (best) {
-        const MeasuredRow &row = measured.rows[*best];
-        caption += words.format("figures.cheapest", to_string(row.plan.technique),
-                                mesh_words(words, measured.meshes[row.plan.mesh]), milliseconds_text(row.time->median));
+    for (const MeasuredRow &row : measured.rows) {
+        if (!row.refused.empty() && row.plan.mesh == own_mesh(measured)) {
+            caption += words.format("figures.refused", to_string(row.plan.technique), row.refused);
+        }
     }
+    caption += cheapest_words(words, measured, model);
     caption += has_ladder(work.request.scene) ? "" : words.text("figures.single_points");
     Figure figure{words.text("figures.error_time"),
                   caption + machine_words(words, work.draw.machine),
                   own_mesh_table(words, measured, model),
-                  {fmt::format("shading-sandbox report {}{} --quick --out {}", work.request.scene_arguments,
-                               work.request.common_arguments, "report")},
+                  {fmt::format("shading-sandbox report {}{} --quick --repeats {} --out report",
+                               work.request.scene_arguments, work.request.common_arguments, options.repeats)},
                   {}};
-    add_plot(figure, work, "error-time",
-             [&](const Words &w) { return error_time_plot(w, measured, model, ErrorNorm::rmse); });
+    add_plot(figure, work, "error-time", [&](const Words &w) {
+        PlotRequest plot = error_time_plot(w, measured, model, ErrorNorm::rmse);
+        plot.title = w.format("figures.error_time.title", title_of(w, model_key, static_cast<int>(model)));
+        return plot;
+    });
     return figure;
 }
 

@@ -118,7 +118,7 @@ PaperColor pale(PaperColor color) {
 
 void draw_series(Sheet &sheet, const PlotSeries &series) {
     const PaperColor color = series_paper_color(series.style);
-    sheet.path(series.points, 1.8, color);
+    sheet.path(series.points, series.width, color);
     for (const PlotPoint &point : series.points) {
         if (point.x_high - point.x_low > 1) {
             sheet.line(point.x_low, point.y, point.x_high, point.y, 1, color, 0.55);
@@ -134,7 +134,7 @@ void draw_legend(Sheet &sheet, const PlotRequest &request, const PlotLayout &lay
     for (const LegendEntry &entry : lay_out_legend(request, layout, legend_top(layout))) {
         const double middle = entry.x + legend_line / 2, end = entry.x + legend_line;
         if (entry.style) {
-            draw_series(sheet, {{}, *entry.style, {{entry.x, entry.y}, {end, entry.y}}, true});
+            draw_series(sheet, {{}, *entry.style, {{entry.x, entry.y}, {end, entry.y}}, true, entry.width});
             if (!entry.curve) {
                 draw_series(sheet, {{}, *entry.style, {{middle, entry.y}}});
             }

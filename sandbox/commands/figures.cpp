@@ -78,7 +78,7 @@ FigureRequest request_of(const FiguresFlags &flags, const CommonOptions &common)
     for (const auto &[flag, folder] : {std::pair("--assets", common.assets), std::pair("--shaders", common.shaders)}) {
         request.common_arguments += folder.empty() ? "" : fmt::format(" {} {}", flag, quoted(folder.string()));
     }
-    request.folder = quoted(flags.out.string());
+    request.folder = quoted((flags.out.has_filename() ? flags.out : flags.out.parent_path()).string());
     request.words = words_in(request.pair.language, scene_assets(common));
     return request;
 }
@@ -153,7 +153,7 @@ void add_figures(CLI::App &app, CommonOptions &common, Run &run) {
         "  difference         A - B, with its scale\n"
         "  profile            the luminance of A, B and the truth along the line in profile-line, through the pixel\n"
         "                     where A and B differ most\n"
-        "  error-time         error against run time, as report --quick measures it\n"
+        "  error-time         error against run time of A's model, as report --quick measures it\n"
         "Plots are SVG and PNG, pictures PNG with the sidecar that reproduces them. Nothing is written before all is\n"
         "made: Ctrl-C leaves the folder as it was.");
     run_when_chosen(command, common, run, flags, run_figures);

@@ -109,7 +109,7 @@ LoneSphere lone_sphere(const Scene &scene, const std::vector<ObjectResources> &r
     sphere.scene.camera = camera_at(scene.camera, ball);
     sphere.made_shiny = !has_highlights(sphere.scene);
     if (sphere.made_shiny) {
-        sphere.scene.objects.front().material.specular = glm::dvec3(1);
+        sphere.scene.objects.front().material.specular = glm::dvec3(0.5);
         for (Light &light : sphere.scene.lights) {
             light.specular = 1;
         }

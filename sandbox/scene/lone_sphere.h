@@ -13,7 +13,7 @@ struct LoneSphere {
     Scene scene;             ///< one object; the eye is where it was unless that is inside the sphere
     std::string of;          ///< the object's name in the scene it was made from; empty: it has none
     bool own = false;        ///< it is a sphere there; else a sphere stands in its place, with its material
-    bool made_shiny = false; ///< there were no highlights, so that specular colours and intensities are 1 here
+    bool made_shiny = false; ///< there were no highlights: specular colour 0.5 and intensities 1 here
 };
 
 /// The first sphere of `scene` that its transform leaves round, else one in place of the first object; 64 rings. The

@@ -19,7 +19,7 @@ PlotRequest profile_plot(const Words &words, int row, const std::vector<NamedCur
     plot.width = 720;
     plot.x_room = 0;
     for (const NamedCurve &curve : curves) {
-        PlotSeries series{curve.name, curve.style, {}, true};
+        PlotSeries series{curve.name, curve.style, {}, true, curve.width};
         for (std::size_t i = 0; i < curve.luminance.size(); ++i) {
             const double x = static_cast<double>(i) + 0.5;
             series.points.push_back({x, curve.luminance[i], x, x, i});
@@ -36,7 +36,7 @@ std::optional<double> last_order(const WorkPrecision &measured) {
 
 PlotRequest subdivision_plot(const Words &words, const WorkPrecision &measured) {
     PlotRequest plot;
-    plot.title = words.format("figures.subdivision.title", title_of(words, *measured.options.only));
+    plot.title = words.format("figures.subdivision.title", title_of(words, measured.options.only.front()));
     plot.x_label = words.text("figures.triangles");
     plot.y_label = words.text("figures.error");
     const auto order = last_order(measured);
@@ -54,7 +54,7 @@ PlotRequest subdivision_plot(const Words &words, const WorkPrecision &measured) 
         plot.series.push_back(std::move(series));
     }
     if (const auto &rmse = plot.series.back().points; rmse.size() > 1 && rmse.front().y > 0) {
-        PlotSeries slope{words.text("figures.order_two"), style_truth, {rmse.front()}, true};
+        PlotSeries slope{words.text("figures.order_two"), style_guide, {rmse.front()}, true};
         const double finer = rmse.back().x / rmse.front().x; // triangles halve in width where their number is fourfold
         slope.points.push_back({rmse.back().x, rmse.front().y / finer, rmse.back().x, rmse.back().x, 0});
         plot.series.push_back(std::move(slope));

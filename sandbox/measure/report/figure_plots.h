@@ -16,6 +16,7 @@ struct NamedCurve {
     std::string name;
     int style = 0;
     Curve luminance;
+    double width = PlotSeries{}.width; ///< of its line
 };
 /// Luminance over the pixels' middles; `row` is for the title.
 PlotRequest profile_plot(const Words &words, int row, const std::vector<NamedCurve> &curves);

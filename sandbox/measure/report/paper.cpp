@@ -36,7 +36,7 @@ PaperColor paper_color(std::string_view name) {
 }
 
 PaperColor series_paper_color(std::optional<int> style) {
-    constexpr std::array<std::string_view, 8> names{"s0", "s1", "s2", "s3", "s4", "a", "b", "ink"};
+    constexpr std::array<std::string_view, 9> names{"s0", "s1", "s2", "s3", "s4", "a", "b", "p3", "muted"};
     return paper_color(style ? names[static_cast<std::size_t>(*style) % names.size()] : "front");
 }
 

@@ -14,7 +14,7 @@ using PaperColor = std::array<std::uint8_t, 3>;
 PaperColor paper_color(std::string_view name);
 
 /// The styles of series that are no frequencies.
-constexpr int style_a = 5, style_b = 6, style_truth = 7;
+constexpr int style_a = 5, style_b = 6, style_truth = 7, style_guide = 8;
 /// Of a series; none: of the front.
 PaperColor series_paper_color(std::optional<int> style);
 

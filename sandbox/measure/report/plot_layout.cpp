@@ -137,7 +137,7 @@ PlotLayout lay_out(const PlotRequest &request) {
     x.pad(request.x_room);
     y.pad(request.y_room);
     for (const PlotSeries &series : request.series) {
-        PlotSeries placed{series.name, series.style, {}, series.curve};
+        PlotSeries placed{series.name, series.style, {}, series.curve, series.width};
         for (const PlotPoint &p : series.points) {
             if (x.takes(p.x) && y.takes(p.y)) {
                 const bool spread = p.x_low < p.x_high && x.takes(p.x_low);
@@ -164,22 +164,23 @@ PlotLayout lay_out(const PlotRequest &request) {
 std::vector<LegendEntry> lay_out_legend(const PlotRequest &request, const PlotLayout &layout, double top) {
     std::vector<LegendEntry> entries;
     double x = layout.left, y = top;
-    const auto add = [&](std::optional<int> style, bool curve, const std::string &name) {
+    const auto add = [&](const PlotSeries *of, const std::string &name) {
         const double width = legend_line + legend_gap + legend_name_width(name);
         if (x > layout.left && x + width > layout.right) {
             x = layout.left;
             y += legend_row;
         }
-        entries.push_back({style, curve, name, x, y});
+        entries.push_back(of != nullptr ? LegendEntry{of->style, of->curve, of->width, name, x, y}
+                                        : LegendEntry{std::nullopt, true, 0, name, x, y});
         x += width + 2 * legend_gap;
     };
     for (const PlotSeries &series : layout.series) {
         if (!series.points.empty()) {
-            add(series.style, series.curve, series.name);
+            add(&series, series.name);
         }
     }
     if (!layout.front.empty() && !request.front_name.empty()) {
-        add(std::nullopt, true, request.front_name);
+        add(nullptr, request.front_name);
     }
     return entries;
 }

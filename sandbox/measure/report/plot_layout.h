@@ -23,6 +23,7 @@ struct PlotSeries {
     int style = 0; ///< set by the caller: colour and marker
     std::vector<PlotPoint> points;
     bool curve = false; ///< a line alone, without markers
+    double width = 1.8; ///< of its line
 };
 struct PlotGuide {
     double y = 0;
@@ -61,6 +62,7 @@ PlotLayout lay_out(const PlotRequest &request);
 struct LegendEntry {
     std::optional<int> style; ///< none: the front's
     bool curve = false;
+    double width = 0; ///< of its line
     std::string name;
     double x = 0, y = 0;
 };

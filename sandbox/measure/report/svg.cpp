@@ -72,9 +72,15 @@ std::string guide_labels(const PlotLayout &layout) {
     return svg;
 }
 
+/// The style has the usual width.
+std::string line_path(const std::string &path, double width) {
+    const std::string own = width == PlotSeries{}.width ? "" : fmt::format(R"( style="stroke-width: {:g}")", width);
+    return fmt::format(R"(<path class="line"{} d="{}"/>)", own, path);
+}
+
 std::string series_svg(const PlotSeries &series, const std::function<std::string(std::size_t)> &tip) {
     std::string svg =
-        fmt::format(R"(<g class="s{}"><path class="line" d="{}"/>)", series.style, path_of(series.points));
+        fmt::format(R"(<g class="s{}">{})", series.style, line_path(path_of(series.points), series.width));
     for (const PlotPoint &point : series.points) {
         if (point.x_high - point.x_low > 1) {
             svg += line(point.x_low, point.y, point.x_high, point.y, "spread");
@@ -127,12 +133,11 @@ std::string paper_style(const PlotLayout &layout) {
 std::string legend_svg(const PlotRequest &request, const PlotLayout &layout) {
     std::string svg;
     for (const LegendEntry &entry : lay_out_legend(request, layout, legend_top(layout))) {
-        const std::string line_path =
-            entry.style
-                ? fmt::format(R"(<path class="line" d="M{:.1f} {:.1f}h{:.0f}"/>)", entry.x, entry.y, legend_line)
-                : fmt::format(R"(<path class="front" d="M{:.1f} {:.1f}h{:.0f}v6h{:.0f}"/>)", entry.x, entry.y - 3,
-                              legend_line / 2, legend_line / 2);
-        svg += fmt::format("<g class=\"s{}\">{}{}</g>{}\n", entry.style.value_or(0), line_path,
+        const std::string sample =
+            entry.style ? line_path(fmt::format("M{:.1f} {:.1f}h{:.0f}", entry.x, entry.y, legend_line), entry.width)
+                        : fmt::format(R"(<path class="front" d="M{:.1f} {:.1f}h{:.0f}v6h{:.0f}"/>)", entry.x,
+                                      entry.y - 3, legend_line / 2, legend_line / 2);
+        svg += fmt::format("<g class=\"s{}\">{}{}</g>{}\n", entry.style.value_or(0), sample,
                            entry.curve ? "" : marker(entry.x + legend_line / 2, entry.y, *entry.style),
                            svg_text(entry.x + legend_line + 8, entry.y + 4, "name", entry.name));
     }

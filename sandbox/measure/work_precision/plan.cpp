@@ -183,13 +183,14 @@ Plan plan_report(const Scene &scene, const PlanOptions &options, const Load &loa
     Plan plan;
     plan.meshes = plan_meshes(scene, options, load);
     Selection selection(scene, load(scene));
-    if (options.only) {
-        selection.add(*options.only, RowGroup::ladder);
-    } else {
+    for (const Technique &technique : options.only) {
+        selection.add(technique, RowGroup::ladder);
+    }
+    if (options.only.empty()) {
         for_frequencies_and_models([&](const Technique &t) { selection.add(t, RowGroup::ladder); });
     }
     const auto base = selection.rows;
-    if (!options.only) {
+    if (options.only.empty()) {
         add_variants(selection);
     }
     for (std::size_t m = 0; m < plan.meshes.size(); ++m) {

@@ -6,7 +6,6 @@
 #include "shading/technique.h"
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +18,7 @@ struct PlanOptions {
     int last_rings = 512;
     int warm_ups = 4;                ///< rounds that are drawn and dropped
     int repeats = 21;                ///< rounds that are kept; 0: no times
-    std::optional<Technique> only{}; ///< the one technique, which must not be refused; none: all, and their variants
+    std::vector<Technique> only{}; ///< these techniques; none: all, and their variants
     bool operator==(const PlanOptions &) const = default;
 };
 /// Small picture, short ladder, few repeats: an overview, not a measurement to quote.
