@@ -1,17 +1,15 @@
 #pragma once
 
 #include "capture/figures.h"
-#include "capture/labels.h"
 #include "measure/report/plot_layout.h"
 #include "scene/lone_sphere.h"
 
 #include <array>
 #include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
 
-/// What the figures of figures.cpp and figure_plots.cpp share.
+/// What figures are made from, and how they say it.
 namespace sandbox {
 
 /// A side of the pair, one sample a pixel, as `compare --right reference` judges it.
@@ -31,18 +29,11 @@ struct FigureWork {
     LoneSphere sphere;
 };
 
-Figure pair_figure(const FigureWork &work, const Progress &progress);
-Figure exponents_figure(const FigureWork &work, const Progress &progress);
-Figure subdivision_figure(const FigureWork &work, const Progress &progress);
-Figure difference_figure(const FigureWork &work, const Progress &progress);
-Figure profile_figure(const FigureWork &work, const Progress &progress);
-Figure error_time_figure(const FigureWork &work, const Progress &progress);
-
 /// A picture of `capture` and its sidecar, from which the command makes it again.
 void add_capture(Figure &figure, const FigureWork &work, const std::string &name, const ByteImage &picture,
                  const std::string &sidecar);
-/// A plot as NAME.svg and NAME.png; `plot` makes it in given words, as pictures may lack a Chinese
-/// font. One without a point is left out, and the caption says so.
+/// A plot as NAME.svg and NAME.png; `plot` makes it in given words, as pictures may lack a Chinese font. One without a
+/// point is left out, and the caption says so.
 void add_plot(Figure &figure, const FigureWork &work, const std::string &name,
               const std::function<PlotRequest(const Words &)> &plot);
 
@@ -61,6 +52,9 @@ std::string sphere_words(const Words &words, const LoneSphere &sphere);
 /// 1, 2 or 5 times a power of ten, so that `largest` comes near the end of a difference's scale; 1 for 0 and what is
 /// not finite.
 double fitting_gain(double largest);
+
+/// "per vertex, Phong, mesh x 1/4"
+std::string side_title(const FigureWork &work, const Words &words, bool right);
 
 /// The pair's options, for a picture whose views together have the size `room`.
 PictureOptions pair_options(const FigureWork &work, Layout layout, Size room);

@@ -52,7 +52,4 @@ void check_figure_size(Size view);
 /// InputError where a technique is refused for the scene, Cancelled.
 std::vector<Figure> draw_figures(const FigureRequest &request, const FigureDraw &draw, const Progress &progress = {});
 
-/// Every figure with its number, caption, table and commands, in Markdown.
-std::string figures_page(const FigureRequest &request, const FigureDraw &draw, const std::vector<Figure> &figures);
-
 } // namespace sandbox

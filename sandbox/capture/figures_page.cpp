@@ -1,4 +1,5 @@
-#include "capture/figures.h"
+#include "capture/figures_page.h"
+
 #include "words/row_words.h"
 
 #include <algorithm>

@@ -1,5 +1,7 @@
-#include "capture/figure_work.h"
+#include "capture/measured_figures.h"
+
 #include "capture/grid.h"
+#include "capture/labels.h"
 #include "image/cut_paste.h"
 #include "image/difference.h"
 #include "image/error.h"
@@ -190,18 +192,16 @@ Figure profile_figure(const FigureWork &work, const Progress &) {
     const int x = differ ? static_cast<int>(work.between.worst_pixel) % view.width : view.width / 2;
     const int y = differ ? static_cast<int>(work.between.worst_pixel) / view.width : view.height / 2;
     const Image truth = to_frame(left.truth).color, other_truth = to_frame(right.truth).color;
-    const bool two_truths = left.technique.model != right.technique.model ||
-                            work.request.pair.mesh_factors[0] != work.request.pair.mesh_factors[1];
+    const MeshFactors &factors = work.request.pair.mesh_factors;
+    const bool two_truths = left.technique.model != right.technique.model || factors[0] != factors[1];
     const auto curves = [&](const Words &w) {
-        const auto name = [&](std::string_view side, const Technique &technique) {
-            return fmt::format("{}  {}", side, title_of(w, technique));
-        };
-        std::vector<NamedCurve> all{{truth_label(w, left.technique), style_truth, luminance_row(truth, y), thick}};
+        std::vector<NamedCurve> all{
+            {truth_label(w, left.technique, factors[0]), style_truth, luminance_row(truth, y), thick}};
         if (two_truths) {
-            all.push_back({truth_label(w, right.technique), 0, luminance_row(other_truth, y), thick});
+            all.push_back({truth_label(w, right.technique, factors[1]), 0, luminance_row(other_truth, y), thick});
         }
-        all.push_back({name("A", left.technique), style_a, luminance_row(left.drawn.color, y)});
-        all.push_back({name("B", right.technique), style_b, luminance_row(right.drawn.color, y)});
+        all.push_back({"A  " + side_title(work, w, false), style_a, luminance_row(left.drawn.color, y)});
+        all.push_back({"B  " + side_title(work, w, true), style_b, luminance_row(right.drawn.color, y)});
         return all;
     };
     const auto value = [&](const Image &image) { return short_number(luminance(image.at(x, y))); };

@@ -1,5 +1,6 @@
 #include "capture/figures.h"
 
+#include "capture/figures_page.h"
 #include "capture/opening_view.h"
 #include "commands/commands.h"
 #include "commands/interrupt.h"

@@ -1,6 +1,7 @@
 #include "capture/figures.h"
 
 #include "capture/figure_work.h"
+#include "capture/figures_page.h"
 #include "image/error.h"
 #include "tools/english.h"
 

@@ -15,7 +15,7 @@ PlotRequest request() {
     PlotRequest plot;
     plot.title = "title";
     plot.y_label = "error";
-    plot.series = {{"flat", 0, {{1, 1, 1, 1, 0}, {10, 10, 10, 10, 1}}}, {"truth", style_b, {{1, 10}, {10, 10}}, true}};
+    plot.series = {{"flat", 0, {{1, 1, 1, 1, 0}, {10, 10, 10, 10, 1}}}, {"truth", style_b, {{1, 5}, {10, 5}}, true}};
     return plot;
 }
 

@@ -63,8 +63,8 @@ TEST(ProfilePlot, HasEveryPixelAtItsMiddle) {
     EXPECT_EQ(plot.series[1].points[1].x, 1.5);
     EXPECT_EQ(plot.series[1].points[1].y, 0.25);
     const PlotLayout layout = lay_out(plot);
-    EXPECT_EQ(layout.series[0].points.front().x, layout.left) << "as wide as the picture";
-    EXPECT_EQ(layout.series[0].points.back().x, layout.right);
+    EXPECT_NEAR(layout.series[0].points.front().x, layout.left, 1e-6) << "as wide as the picture";
+    EXPECT_NEAR(layout.series[0].points.back().x, layout.right, 1e-6);
 }
 
 TEST(PlotFile, IsWellFormedAndNeedsNoStyleFromElsewhere) {
