@@ -33,17 +33,6 @@ void cover(ByteImage &view, glm::dvec2 low, glm::dvec2 high, Rgb color, double o
     }
 }
 
-void draw_triangle(ByteImage &view, const std::array<glm::dvec2, 3> &corners, Rgb color) {
-    const auto [a, b, c] = corners;
-    cover(view, glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c)), color, 1, [&](glm::dvec2 p) {
-        const auto beyond = [&](glm::dvec2 from, glm::dvec2 to) { // clockwise on the screen
-            const glm::dvec2 along = glm::normalize(to - from);
-            return along.y * (p.x - from.x) - along.x * (p.y - from.y);
-        };
-        return std::max({beyond(a, b), beyond(b, c), beyond(c, a)});
-    });
-}
-
 } // namespace
 
 void draw_line(ByteImage &view, const glm::dvec2 &a, const glm::dvec2 &b, double width, Rgb color, double opacity) {
@@ -55,6 +44,22 @@ void draw_line(ByteImage &view, const glm::dvec2 &a, const glm::dvec2 &b, double
 void draw_disc(ByteImage &view, const glm::dvec2 &center, double radius, Rgb color, double opacity) {
     cover(view, center - radius, center + radius, color, opacity,
           [&](glm::dvec2 p) { return glm::distance(p, center) - radius; });
+}
+
+void draw_polygon(ByteImage &view, std::span<const glm::dvec2> corners, Rgb color) {
+    glm::dvec2 low = corners.front(), high = low;
+    for (const glm::dvec2 &corner : corners) {
+        low = glm::min(low, corner);
+        high = glm::max(high, corner);
+    }
+    cover(view, low, high, color, 1, [&](glm::dvec2 p) {
+        double farthest = -1e300;
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const glm::dvec2 from = corners[i], along = glm::normalize(corners[(i + 1) % corners.size()] - from);
+            farthest = std::max(farthest, along.y * (p.x - from.x) - along.x * (p.y - from.y));
+        }
+        return farthest;
+    });
 }
 
 void draw_hairline(ByteImage &view, const glm::dvec2 &a, const glm::dvec2 &b, double width) {
@@ -75,7 +80,7 @@ void draw_arrow(ByteImage &view, const glm::dvec2 &from, const glm::dvec2 &to, d
     draw_line(view, from, to, em * 0.14, color);
     if (const double length = glm::length(along); length > em / 2) {
         const glm::dvec2 u = along / length * em / 2.0, side(-u.y, u.x);
-        draw_triangle(view, {to + 0.6 * u, to - u + 0.6 * side, to - u - 0.6 * side}, color);
+        draw_polygon(view, std::array{to + 0.6 * u, to - u + 0.6 * side, to - u - 0.6 * side}, color);
     }
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
+#include <span>
 #include <string>
 
 /// Lines and shapes with soft edges over a picture, in pixels from its upper left corner.
@@ -14,6 +15,8 @@ using Rgb = std::array<std::uint8_t, 3>;
 
 void draw_line(ByteImage &view, const glm::dvec2 &a, const glm::dvec2 &b, double width, Rgb color, double opacity = 1);
 void draw_disc(ByteImage &view, const glm::dvec2 &center, double radius, Rgb color, double opacity = 1);
+/// A convex shape; its corners run clockwise on the screen, no two in one place.
+void draw_polygon(ByteImage &view, std::span<const glm::dvec2> corners, Rgb color);
 /// A line that is seen on dark and on bright.
 void draw_hairline(ByteImage &view, const glm::dvec2 &a, const glm::dvec2 &b, double width);
 void draw_ring(ByteImage &view, const glm::dvec2 &center, double radius, double width);

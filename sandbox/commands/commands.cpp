@@ -11,12 +11,12 @@ namespace sandbox {
 /// Adds one subcommand: its options, its help and, when it is chosen, what to run. Each is defined in the file of the
 /// command's name.
 using AddCommand = void(CLI::App &app, CommonOptions &common, Run &run);
-AddCommand add_list, add_capture, add_reference, add_compare, add_time, add_report, add_stability, add_lesson, add_glsl,
-    add_view;
+AddCommand add_list, add_capture, add_reference, add_compare, add_time, add_report, add_stability, add_lesson,
+    add_figures, add_glsl, add_view;
 
 void add_commands(CLI::App &app, CommonOptions &common, Run &run) {
     for (AddCommand *add : {add_list, add_capture, add_reference, add_compare, add_time, add_report, add_stability,
-                            add_lesson, add_glsl, add_view}) {
+                            add_lesson, add_figures, add_glsl, add_view}) {
         add(app, common, run);
     }
 }

@@ -1,5 +1,7 @@
 #include "measure/report/plot_layout.h"
 
+#include "image/text.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -115,6 +117,10 @@ std::vector<PlotPoint> staircase(const std::vector<PlotSeries> &series, const st
     return corners;
 }
 
+constexpr double legend_gap = 8;
+/// Of a plot's text, in whatever font a viewer has: a little more than this program's own needs.
+double legend_name_width(const std::string &name) { return 1.1 * text_width(name, plot_text); }
+
 } // namespace
 
 PlotLayout lay_out(const PlotRequest &request) {
@@ -128,10 +134,10 @@ PlotLayout lay_out(const PlotRequest &request) {
             y.include(point.y);
         }
     }
-    x.pad(0.06);
-    y.pad(0.06);
+    x.pad(request.x_room);
+    y.pad(request.y_room);
     for (const PlotSeries &series : request.series) {
-        PlotSeries placed{series.name, series.style, {}};
+        PlotSeries placed{series.name, series.style, {}, series.curve, series.width};
         for (const PlotPoint &p : series.points) {
             if (x.takes(p.x) && y.takes(p.y)) {
                 const bool spread = p.x_low < p.x_high && x.takes(p.x_low);
@@ -153,6 +159,41 @@ PlotLayout lay_out(const PlotRequest &request) {
     layout.y_ticks = y.ticks();
     layout.front = staircase(layout.series, request.front);
     return layout;
+}
+
+std::vector<LegendEntry> lay_out_legend(const PlotRequest &request, const PlotLayout &layout, double top) {
+    std::vector<LegendEntry> entries;
+    double x = layout.left, y = top;
+    const auto add = [&](const PlotSeries *of, const std::string &name) {
+        const double width = legend_line + legend_gap + legend_name_width(name);
+        if (x > layout.left && x + width > layout.right) {
+            x = layout.left;
+            y += legend_row;
+        }
+        entries.push_back(of != nullptr ? LegendEntry{of->style, of->curve, of->width, name, x, y}
+                                        : LegendEntry{std::nullopt, true, 0, name, x, y});
+        x += width + 2 * legend_gap;
+    };
+    for (const PlotSeries &series : layout.series) {
+        if (!series.points.empty()) {
+            add(&series, series.name);
+        }
+    }
+    if (!layout.front.empty() && !request.front_name.empty()) {
+        add(nullptr, request.front_name);
+    }
+    return entries;
+}
+
+double legend_top(const PlotLayout &layout) { return layout.bottom + 58; }
+
+PlotRequest with_legend(PlotRequest request) {
+    const PlotLayout layout = lay_out(request);
+    const std::vector<LegendEntry> entries = lay_out_legend(request, layout, legend_top(layout));
+    const double below = entries.empty() ? 0 : entries.back().y + legend_row - request.height;
+    request.height += below;
+    request.bottom += below;
+    return request;
 }
 
 std::optional<std::size_t> nearest_point(const PlotLayout &layout, double x, double y, double reach) {

@@ -22,6 +22,8 @@ struct PlotSeries {
     std::string name;
     int style = 0; ///< set by the caller: colour and marker
     std::vector<PlotPoint> points;
+    bool curve = false; ///< a line alone, without markers
+    double width = 1.8; ///< of its line
 };
 struct PlotGuide {
     double y = 0;
@@ -34,8 +36,10 @@ struct PlotRequest {
     double left = 62, right = 14, top = 30, bottom = 46; ///< margins
     std::vector<double> x_marks;                         ///< the ticks of x; none: round numbers
     std::vector<PlotSeries> series;
-    std::vector<std::size_t> front; ///< tags of the points on the front, by x
-    std::vector<PlotGuide> guides;  ///< horizontal; those out of range are left out
+    std::vector<std::size_t> front;      ///< tags of the points on the front, by x
+    std::vector<PlotGuide> guides;       ///< horizontal; those out of range are left out
+    std::string front_name;              ///< in a legend
+    double x_room = 0.06, y_room = 0.06; ///< left free on either side, as shares of the span
 };
 
 struct PlotTick {
@@ -53,6 +57,21 @@ struct PlotLayout {
 
 /// Points that are not finite, or not positive on a logarithmic scale, are left out.
 PlotLayout lay_out(const PlotRequest &request);
+
+/// A legend's entry: 30 units of its line from (x, y) to the right, then its name.
+struct LegendEntry {
+    std::optional<int> style; ///< none: the front's
+    bool curve = false;
+    double width = 0; ///< of its line
+    std::string name;
+    double x = 0, y = 0;
+};
+/// Of what `layout` shows, in rows from (layout.left, top) within the frame's width.
+std::vector<LegendEntry> lay_out_legend(const PlotRequest &request, const PlotLayout &layout, double top);
+constexpr double plot_text = 12, legend_row = 19, legend_line = 30;
+/// The request with a bottom margin that holds its legend, and where that begins.
+PlotRequest with_legend(PlotRequest request);
+double legend_top(const PlotLayout &layout);
 
 /// The tag of the point nearest to (x, y), if one lies within `reach`.
 std::optional<std::size_t> nearest_point(const PlotLayout &layout, double x, double y, double reach);

@@ -1,6 +1,7 @@
 #include "measure/report/svg.h"
 
 #include "measure/report/html.h"
+#include "measure/report/paper.h"
 
 #include <fmt/format.h>
 
@@ -71,14 +72,20 @@ std::string guide_labels(const PlotLayout &layout) {
     return svg;
 }
 
+/// The style has the usual width.
+std::string line_path(const std::string &path, double width) {
+    const std::string own = width == PlotSeries{}.width ? "" : fmt::format(R"( style="stroke-width: {:g}")", width);
+    return fmt::format(R"(<path class="line"{} d="{}"/>)", own, path);
+}
+
 std::string series_svg(const PlotSeries &series, const std::function<std::string(std::size_t)> &tip) {
     std::string svg =
-        fmt::format(R"(<g class="s{}"><path class="line" d="{}"/>)", series.style, path_of(series.points));
+        fmt::format(R"(<g class="s{}">{})", series.style, line_path(path_of(series.points), series.width));
     for (const PlotPoint &point : series.points) {
         if (point.x_high - point.x_low > 1) {
             svg += line(point.x_low, point.y, point.x_high, point.y, "spread");
         }
-        svg += marker(point.x, point.y, series.style, tip(point.tag));
+        svg += series.curve ? "" : marker(point.x, point.y, series.style, tip ? tip(point.tag) : "");
     }
     return svg + "</g>";
 }
@@ -89,19 +96,69 @@ std::string open_svg(double width, double height, const std::string &name) {
                        width, height, html::escaped(name));
 }
 
-} // namespace
-
-std::string plot_svg(const PlotRequest &request, const std::function<std::string(std::size_t)> &tip) {
-    const PlotLayout layout = lay_out(request);
-    std::string svg =
-        open_svg(request.width, request.height, request.title) + axes(request, layout) + guide_lines(layout);
+std::string plot_parts(const PlotRequest &request, const PlotLayout &layout,
+                       const std::function<std::string(std::size_t)> &tip) {
+    std::string svg = axes(request, layout) + guide_lines(layout);
     if (!layout.front.empty()) {
         svg += fmt::format(R"(<path class="front" d="{}"/>)", path_of(layout.front));
     }
     for (const PlotSeries &series : layout.series) {
         svg += series_svg(series, tip);
     }
-    return svg + guide_labels(layout) + "</svg>\n";
+    return svg + guide_labels(layout);
+}
+
+std::string hex(const PaperColor &color) { return fmt::format("#{:02x}{:02x}{:02x}", color[0], color[1], color[2]); }
+
+/// The page's rules for plots with the light theme's colours filled in: not every program knows CSS variables.
+std::string paper_style(const PlotLayout &layout) {
+    const auto color = [](std::string_view name) { return hex(paper_color(name)); };
+    std::string style = fmt::format(
+        "text {{ font: {:.0f}px sans-serif; fill: {}; }}\n.title {{ font-weight: 600; font-size: 13px; }}\n"
+        ".label, .tick, .guide-label {{ fill: {}; }}\n.guide-label {{ font-size: 10.5px; }}\n"
+        ".mid {{ text-anchor: middle; }}\n.end {{ text-anchor: end; }}\n"
+        ".grid {{ stroke: {}; }}\n.minor {{ stroke: {}; }}\n.guide {{ stroke: {}; stroke-dasharray: 2 4; }}\n"
+        ".front {{ fill: none; stroke: {}; stroke-width: 6; stroke-opacity: 0.55; stroke-linejoin: round; }}\n"
+        ".line {{ fill: none; stroke-width: 1.8; stroke-linejoin: round; }}\n"
+        ".spread {{ stroke-width: 1; stroke-opacity: 0.55; }}\n.dot {{ stroke: #ffffff; stroke-width: 0.8; }}\n",
+        plot_text, color("ink"), color("muted"), color("rule"), color("faint"), color("muted"), color("front"));
+    for (const PlotSeries &series : layout.series) {
+        const std::string own = hex(series_paper_color(series.style));
+        style += fmt::format(".s{0} .line, .s{0} .spread {{ stroke: {1}; }} .s{0} .dot {{ fill: {1}; }}\n",
+                             series.style, own);
+    }
+    return style;
+}
+
+std::string legend_svg(const PlotRequest &request, const PlotLayout &layout) {
+    std::string svg;
+    for (const LegendEntry &entry : lay_out_legend(request, layout, legend_top(layout))) {
+        const std::string sample =
+            entry.style ? line_path(fmt::format("M{:.1f} {:.1f}h{:.0f}", entry.x, entry.y, legend_line), entry.width)
+                        : fmt::format(R"(<path class="front" d="M{:.1f} {:.1f}h{:.0f}v6h{:.0f}"/>)", entry.x,
+                                      entry.y - 3, legend_line / 2, legend_line / 2);
+        svg += fmt::format("<g class=\"s{}\">{}{}</g>{}\n", entry.style.value_or(0), sample,
+                           entry.curve ? "" : marker(entry.x + legend_line / 2, entry.y, *entry.style),
+                           svg_text(entry.x + legend_line + 8, entry.y + 4, "name", entry.name));
+    }
+    return svg;
+}
+
+} // namespace
+
+std::string plot_svg(const PlotRequest &request, const std::function<std::string(std::size_t)> &tip) {
+    const PlotLayout layout = lay_out(request);
+    return open_svg(request.width, request.height, request.title) + plot_parts(request, layout, tip) + "</svg>\n";
+}
+
+std::string plot_file(const PlotRequest &asked) {
+    const PlotRequest request = with_legend(asked);
+    const PlotLayout layout = lay_out(request);
+    return fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
+                       "viewBox=\"0 0 {0:.0f} {1:.0f}\">\n<title>{2}</title>\n<style>\n{3}</style>\n"
+                       "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n{4}\n{5}</svg>\n",
+                       request.width, request.height, html::escaped(request.title), paper_style(layout),
+                       plot_parts(request, layout, {}), legend_svg(request, layout));
 }
 
 std::string legend_html(const Words &words, const std::vector<std::string> &names, bool with_front) {

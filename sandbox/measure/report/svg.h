@@ -13,6 +13,9 @@ namespace sandbox {
 /// `tip(tag)` is the text that shows when the mouse rests on a point.
 std::string plot_svg(const PlotRequest &request, const std::function<std::string(std::size_t)> &tip);
 
+/// A file of its own: the plot over its legend in explicit colours on white, for any program that shows SVG.
+std::string plot_file(const PlotRequest &request);
+
 /// The legend: line, marker and name of every series; `with_front`: of the front, too.
 std::string legend_html(const Words &words, const std::vector<std::string> &names, bool with_front);
 

@@ -47,6 +47,7 @@ PlotRequest error_time_plot(const Words &words, const WorkPrecision &m, Model mo
             series_of(words, m, {.frequency = frequency, .model = model}, norm)); // every key at its default
     }
     plot.front = pareto_front(m, model, norm);
+    plot.front_name = words.text("report.front");
     for (const double bound : error_bounds) {
         plot.guides.push_back({bound, bound_name(bound)});
     }

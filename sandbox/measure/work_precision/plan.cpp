@@ -183,9 +183,16 @@ Plan plan_report(const Scene &scene, const PlanOptions &options, const Load &loa
     Plan plan;
     plan.meshes = plan_meshes(scene, options, load);
     Selection selection(scene, load(scene));
-    for_frequencies_and_models([&](const Technique &t) { selection.add(t, RowGroup::ladder); });
+    for (const Technique &technique : options.only) {
+        selection.add(technique, RowGroup::ladder);
+    }
+    if (options.only.empty()) {
+        for_frequencies_and_models([&](const Technique &t) { selection.add(t, RowGroup::ladder); });
+    }
     const auto base = selection.rows;
-    add_variants(selection);
+    if (options.only.empty()) {
+        add_variants(selection);
+    }
     for (std::size_t m = 0; m < plan.meshes.size(); ++m) {
         const auto &rows = plan.meshes[m].own ? selection.rows : base;
         for (const auto &[technique, group] : rows) {

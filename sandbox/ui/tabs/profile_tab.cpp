@@ -2,6 +2,7 @@
 
 #include "capture/picture.h"
 #include "image/error.h"
+#include "measure/metrics/profile.h"
 #include "reference/term_shares.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
@@ -19,21 +20,9 @@ namespace sandbox {
 
 namespace {
 
-template <class Color> double luminance(const Color &c) { // of linear Rec. 709
-    return 0.2126 * static_cast<double>(c.r) + 0.7152 * static_cast<double>(c.g) + 0.0722 * static_cast<double>(c.b);
-}
-
-/// The luminance along one row of the pictures; empty: not known.
-using Curve = std::vector<double>;
 using Curves = std::array<Curve, 3>; ///< of A, B and the truth
 
-Curve curve_of(const Image *image, int row) {
-    Curve curve;
-    for (int x = 0; image != nullptr && row < image->size.height && x < image->size.width; ++x) {
-        curve.push_back(luminance(image->at(x, row)));
-    }
-    return curve;
-}
+Curve curve_of(const Image *image, int row) { return image != nullptr ? luminance_row(*image, row) : Curve{}; }
 
 void draw_curve(const Curve &curve, ImVec2 low, ImVec2 high, double top, ImU32 color, float thickness) {
     std::vector<ImVec2> points;

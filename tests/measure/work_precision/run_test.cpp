@@ -58,6 +58,22 @@ struct FakeRenderer {
     }
 };
 
+TEST(WorkPrecision, AFewTechniquesAloneAndNoTimes) {
+    FakeRenderer fake;
+    PlanOptions plan = small_plan();
+    plan.only = {parse_technique("per-vertex/phong"), parse_technique("per-pixel/phong")};
+    plan.warm_ups = plan.repeats = 0;
+    const WorkPrecision measured = measure_work_precision(ball_scene(), plan, fake.draw());
+    EXPECT_TRUE(measured.finished);
+    EXPECT_TRUE(fake.timed.empty());
+    ASSERT_EQ(measured.rows.size(), 6U) << "two on three rungs, and no variants";
+    for (const MeasuredRow &row : measured.rows) {
+        EXPECT_TRUE(row.errors && !row.time);
+        EXPECT_EQ(row.plan.group, RowGroup::ladder);
+        EXPECT_EQ(row.plan.technique.model, Model::phong);
+    }
+}
+
 TEST(WorkPrecision, RowsTakeTurnsAndWarmUpsAreDropped) {
     FakeRenderer fake;
     const WorkPrecision measured = measure_work_precision(ball_scene(), small_plan(), fake.draw());
