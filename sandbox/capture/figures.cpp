@@ -4,6 +4,9 @@
 #include "capture/measured_figures.h"
 #include "image/error.h"
 #include "image/picture_size.h"
+#include "measure/metrics/metrics.h"
+#include "reference/reference.h"
+#include "scene/mesh_factor.h"
 
 #include <algorithm>
 

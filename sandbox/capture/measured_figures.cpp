@@ -46,7 +46,7 @@ ByteImage over_scale(const ByteImage &picture, const Words &words, double larges
     ByteImage whole = black_picture({picture.size.width, picture.size.height + strips.below});
     paste(whole, picture, 0, 0);
     if (strips.below > 0) {
-        const std::string truth = words.text("truth"), own = words.text("figures.per_vertex");
+        const std::string &truth = words.text("truth"), &own = words.text("figures.per_vertex");
         draw_scale(whole, strips,
                    {.what = fmt::format("{} - {}", own, truth),
                     .result = difference_text(words, largest) + words.text("difference.edges"),
@@ -186,7 +186,7 @@ Figure subdivision_figure(const FigureWork &work, const Progress &progress) {
 
 Figure profile_figure(const FigureWork &work, const Progress &) {
     const Words &words = work.request.words;
-    const auto &[left, right] = work.sides;
+    const FigureSide &left = work.sides[0], &right = work.sides[1]; // a lambda cannot capture bindings (Clang 14)
     const Size view = work.request.view;
     const bool differ = work.between.norms.max_abs > 0;
     const int x = differ ? static_cast<int>(work.between.worst_pixel) % view.width : view.width / 2;

@@ -11,8 +11,11 @@
 #include "ui/views/painters.h"
 
 #include <algorithm>
+#include <cctype>
 #include <fmt/format.h>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace sandbox {
 namespace {

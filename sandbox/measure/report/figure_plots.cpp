@@ -18,6 +18,7 @@ PlotRequest profile_plot(const Words &words, int row, const std::vector<NamedCur
     plot.x_scale = plot.y_scale = Scale::linear;
     plot.width = 720;
     plot.x_room = 0;
+    plot.y_shown = {0, 0.05}; // black has a place, and rounding in the dark is not magnified
     for (const NamedCurve &curve : curves) {
         PlotSeries series{curve.name, curve.style, {}, true, curve.width};
         for (std::size_t i = 0; i < curve.luminance.size(); ++i) {

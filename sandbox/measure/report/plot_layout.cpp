@@ -134,6 +134,9 @@ PlotLayout lay_out(const PlotRequest &request) {
             y.include(point.y);
         }
     }
+    for (const double value : request.y_shown) {
+        y.include(value);
+    }
     x.pad(request.x_room);
     y.pad(request.y_room);
     for (const PlotSeries &series : request.series) {

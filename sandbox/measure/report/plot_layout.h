@@ -35,6 +35,7 @@ struct PlotRequest {
     double width = 520, height = 380;
     double left = 62, right = 14, top = 30, bottom = 46; ///< margins
     std::vector<double> x_marks;                         ///< the ticks of x; none: round numbers
+    std::vector<double> y_shown;                         ///< what the axis of y holds, whatever the series have
     std::vector<PlotSeries> series;
     std::vector<std::size_t> front;      ///< tags of the points on the front, by x
     std::vector<PlotGuide> guides;       ///< horizontal; those out of range are left out

@@ -16,8 +16,8 @@ struct PlanOptions {
     Size size{640, 480};
     int first_rings = 8; ///< the coarsest rung of the ladder; every rung has twice the rings of the one before
     int last_rings = 512;
-    int warm_ups = 4;                ///< rounds that are drawn and dropped
-    int repeats = 21;                ///< rounds that are kept; 0: no times
+    int warm_ups = 4;              ///< rounds that are drawn and dropped
+    int repeats = 21;              ///< rounds that are kept; 0: no times
     std::vector<Technique> only{}; ///< these techniques; none: all, and their variants
     bool operator==(const PlanOptions &) const = default;
 };

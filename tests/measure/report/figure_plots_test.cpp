@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <stdexcept>
+#include <string>
 
 namespace sandbox {
 namespace {
@@ -65,6 +66,15 @@ TEST(ProfilePlot, HasEveryPixelAtItsMiddle) {
     const PlotLayout layout = lay_out(plot);
     EXPECT_NEAR(layout.series[0].points.front().x, layout.left, 1e-6) << "as wide as the picture";
     EXPECT_NEAR(layout.series[0].points.back().x, layout.right, 1e-6);
+}
+
+TEST(ProfilePlot, ShowsBlackAndDoesNotMagnifyTheDark) {
+    for (const double level : {0.0, 1e-9, 0.8}) {
+        const PlotLayout layout = lay_out(profile_plot(english, 7, {{"A", style_a, {level, level}}}));
+        ASSERT_FALSE(layout.y_ticks.empty());
+        EXPECT_EQ(layout.y_ticks.front().label, "0");
+        EXPECT_GE(std::stod(layout.y_ticks[1].label), 0.01);
+    }
 }
 
 TEST(PlotFile, IsWellFormedAndNeedsNoStyleFromElsewhere) {
