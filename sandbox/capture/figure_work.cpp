@@ -69,7 +69,7 @@ std::string side_title(const FigureWork &work, const Words &words, bool right) {
 }
 
 std::string sphere_words(const Words &words, const LoneSphere &sphere) {
-    const std::string name = sphere.of.empty() ? words.text("figures.unnamed") : sphere.of;
+    const std::string name = sphere.of.empty() ? words.text("figures.unnamed") : file_text(words, sphere.of);
     return words.format(sphere.own ? "figures.own_sphere" : "figures.other_sphere", name) +
            (sphere.made_shiny ? words.text("figures.made_shiny") : "");
 }

@@ -49,9 +49,8 @@ std::string section_of(const Words &words, std::size_t number, const Figure &fig
 
 std::string figures_page(const FigureRequest &request, const FigureDraw &draw, const std::vector<Figure> &figures) {
     const Words &words = request.words;
-    const std::string title = request.scene.name.empty() ? request.name : request.scene.name;
-    const std::string *own = words.find("builtin." + request.name);
-    const std::string &about = own != nullptr ? *own : request.scene.description;
+    const std::string title = request.scene.name.empty() ? request.name : file_text(words, request.scene.name);
+    const std::string about = file_text(words, request.scene.description);
     std::string page = fmt::format("# {}\n\n", words.format("figures.page", plain(title)));
     page += about.empty() ? "" : plain(about) + "\n\n";
     page += words.format("figures.about", SANDBOX_VERSION, draw.by.renderer) + words.text("figures.errors") + "\n\n" +

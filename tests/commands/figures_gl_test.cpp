@@ -3,6 +3,7 @@
 #include "image/png.h"
 #include "measure/metrics/profile.h"
 #include "measure/report/text.h"
+#include "scene/scene_file.h"
 #include "tools/xml.h"
 
 #include <algorithm>
@@ -203,6 +204,9 @@ TEST_F(FiguresGl, CaptionsSpeakChinese) {
     const std::string page = written("index.md");
     EXPECT_NE(page.find("**图 1.** A 与 B 并列。左边为 A：逐顶点，Phong。"), std::string::npos);
     EXPECT_EQ(page.find("Figure"), std::string::npos);
+    const std::string description = open_scene("box-5-specular", Assets("assets")).description;
+    ASSERT_FALSE(description.empty());
+    EXPECT_EQ(page.find(description), std::string::npos); // it is in Chinese, too
     EXPECT_NE(written("profile.svg").find("亮度"), std::string::npos);
 }
 
