@@ -23,12 +23,15 @@ void for_pieces(std::size_t count, const std::function<void(std::size_t)> &work)
     });
 }
 
-RasterObject to_pixels(const MeshObject &object, const Camera &camera, Size size) {
+RasterObject to_pixels(const MeshObject &object, int window_grid, const Camera &camera, Size size) {
     const double aspect = aspect_of(size);
     const glm::dmat4 projection = view_projection(camera, aspect);
     const Transform &transform = object.object->transform;
     RasterObject raster;
     raster.triangles = &object.mesh->triangles;
+    raster.window_grid = window_grid;
+    raster.near = camera.near_plane;
+    raster.far = camera.far_plane;
     if (back_faces_hidden(camera, aspect, transform, *object.mesh)) {
         raster.hidden = is_mirrored(transform) ? -1 : 1;
     }
@@ -129,7 +132,7 @@ MeshScene prepare_meshes(const Scene &scene, const std::vector<ObjectResources> 
     meshes.setup = prepare(scene, technique);
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         meshes.objects.push_back(prepare_object(meshes.setup, scene, scene.objects[i], resources[i]));
-        meshes.raster.push_back(to_pixels(meshes.objects.back(), scene.camera, size));
+        meshes.raster.push_back(to_pixels(meshes.objects.back(), resources[i].window_grid, scene.camera, size));
     }
     return meshes;
 }

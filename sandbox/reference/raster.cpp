@@ -81,7 +81,19 @@ glm::dvec3 areas_at(const Triangle &triangle, double x, double y) {
 
 Triangle RasterObject::triangle(std::size_t index) const {
     const glm::uvec3 &t = (*triangles)[index];
-    return {corners[t.x], corners[t.y], corners[t.z]};
+    Triangle triangle{corners[t.x], corners[t.y], corners[t.z]};
+    const auto is_whole = [&](unsigned vertex) {
+        return nearness.empty() ? corners[vertex].z >= near && corners[vertex].z <= far
+                                : nearness[vertex] >= 0 && nearness[vertex] <= 1;
+    };
+    if (window_grid > 0 && is_whole(t.x) && is_whole(t.y) && is_whole(t.z)) {
+        for (Corner &corner : triangle) {
+            const double step = corner.z / window_grid;
+            corner.x = std::round(corner.x / step) * step;
+            corner.y = std::round(corner.y / step) * step;
+        }
+    }
+    return triangle;
 }
 
 double orientation(const Triangle &t) {

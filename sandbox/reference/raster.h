@@ -34,6 +34,9 @@ struct RasterObject {
     int hidden = 0;
     /// One per vertex, linear: 1 at near, 0 at far; of an orthographic camera, else empty.
     std::vector<double> nearness{};
+    /// ObjectResources::window_grid; only of triangles that near and far do not cut, for a cut has vertices of its own.
+    int window_grid = 0;
+    double near = 0, far = 0; ///< of a perspective camera
 
     [[nodiscard]] Triangle triangle(std::size_t index) const;
 };

@@ -1,11 +1,13 @@
 #include "render/renderer.h"
 
+#include "render/context.h"
 #include "render/gl_state.h"
 #include "render/mesh_buffers.h"
 #include "render/program_cache.h"
 #include "render/seen_part.h"
 #include "render/segment_pass.h"
 #include "render/uniforms.h"
+#include "render/window_grid.h"
 #include "scene/space.h"
 #include "shading/prepared_object.h"
 #include "shading/vertex_marks.h"
@@ -160,6 +162,7 @@ struct Renderer::Impl {
     }
 
     Resources resources;
+    bool grid_is_known = false; ///< measured_window_grid() has been called for them
     ShaderParts parts;
     ProgramCache programs;
     std::map<std::shared_ptr<const Mesh>, MeshBuffers> meshes;
@@ -296,7 +299,21 @@ bool Renderer::reload_changed_parts() {
 void Renderer::forget_last_good_programs() { impl_->programs.forget_last_good(); }
 const std::string &Renderer::shader_error() const { return impl_->programs.error(); }
 int Renderer::programs_built() const { return impl_->programs.built(); }
-Resources &Renderer::resources() { return impl_->resources; }
+Resources &Renderer::resources() {
+    if (!impl_->grid_is_known) {
+        impl_->grid_is_known = true;
+        if (!Context::software()) { // Mesa's software renderers interpolate between the exact positions
+            Impl probe(Assets("assets"), ShaderParts(Assets("shaders")));
+            const auto draw = [&](const Scene &scene, const Technique &technique, Size size) {
+                Target target(size);
+                probe.draw(scene, technique, canvas_of(target), true);
+                return target.read_color();
+            };
+            impl_->resources.set_window_grid(measured_window_grid(draw));
+        }
+    }
+    return impl_->resources;
+}
 const ShaderParts &Renderer::parts() const { return impl_->parts; }
 
 } // namespace sandbox

@@ -58,6 +58,7 @@ class Renderer {
     /// How many programs were built so far (a technique seen before builds none).
     [[nodiscard]] int programs_built() const;
 
+    /// What is loaded knows on which grid this renderer places vertices (ObjectResources::window_grid).
     [[nodiscard]] Resources &resources();
     [[nodiscard]] const ShaderParts &parts() const;
 

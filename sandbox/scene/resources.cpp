@@ -86,6 +86,7 @@ std::vector<ObjectResources> Resources::load(const Scene &scene) {
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object &object = scene.objects[i];
         ObjectResources resources;
+        resources.window_grid = window_grid_;
         const MeshKey shape = mesh_key(object);
         auto mesh = find_entry(meshes, shape);
         if (mesh == meshes.end()) {

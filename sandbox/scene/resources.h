@@ -17,6 +17,9 @@ namespace sandbox {
 struct ObjectResources {
     std::shared_ptr<const Mesh> mesh;
     std::shared_ptr<const Image> texture; ///< linear light; null: none
+    /// Who draws the mesh rounds its vertices' window positions to so many steps a pixel and interpolates between
+    /// those, as GPUs do; 0: not at all.
+    int window_grid = 0;
 };
 
 /// A shape, and how often a texture repeats on it.
@@ -30,10 +33,14 @@ class Resources {
     /// One entry per object of `scene`. Throws InputError (unknown texture, bad OBJ) and then changes nothing.
     std::vector<ObjectResources> load(const Scene &scene);
 
+    /// ObjectResources::window_grid of all that is loaded from here on.
+    void set_window_grid(int steps) { window_grid_ = steps; }
+
   private:
     [[nodiscard]] std::shared_ptr<const Mesh> kept_mesh(const MeshKey &key) const;
 
     Assets assets_;
+    int window_grid_ = 0;
     std::vector<std::pair<MeshKey, std::shared_ptr<const Mesh>>> meshes_;
     /// Meshes of earlier scenes that someone else still holds: going back and forth between scenes builds nothing anew.
     std::vector<std::pair<MeshKey, std::weak_ptr<const Mesh>>> earlier_meshes_;

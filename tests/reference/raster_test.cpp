@@ -1,6 +1,8 @@
 #include "reference/raster.h"
 
+#include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 #include <numeric>
 #include <random>
@@ -53,6 +55,24 @@ TEST(Raster, TwoTrianglesOfASquareCoverEachPixelOnce) {
             EXPECT_EQ(counts[static_cast<std::size_t>(y * 16 + x)], in ? 1 : 0) << x << ' ' << y;
         }
     }
+}
+
+/// 1/256 of a pixel is 0.00390625. A triangle that near cuts keeps its corners, for the cut has others.
+TEST(Raster, WholeTrianglesLieOnTheWindowsGrid) {
+    const std::vector<glm::uvec3> triangles{{0, 1, 2}, {0, 1, 3}};
+    RasterObject object;
+    object.corners = {pixel(1.001, 2.003, 2), pixel(3.499, 0.002, 4), pixel(7, 5.5, 1), pixel(7, 5.5, 0.5)};
+    object.triangles = &triangles;
+    object.near = 1;
+    object.far = 4;
+    EXPECT_EQ(object.triangle(0)[0], pixel(1.001, 2.003, 2));
+    object.window_grid = 256;
+    const Triangle snapped = object.triangle(0);
+    const std::array expected{pixel(1, 2.00390625, 2), pixel(3.5, 0.00390625, 4), pixel(7, 5.5, 1)};
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_NEAR(glm::distance(snapped[i], expected[i]), 0, 1e-14) << i; // a few roundings of numbers up to 14
+    }
+    EXPECT_EQ(object.triangle(1)[0], pixel(1.001, 2.003, 2));
 }
 
 TEST(Raster, FansOfEitherWindingCoverEachPixelOnce) {

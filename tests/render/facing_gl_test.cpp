@@ -39,14 +39,13 @@ Scene open_meshes() {
 class FacingOnTheRenderer : public GlTest {
   protected:
     double error(const Scene &scene, const Technique &technique) {
-        const ReferenceFrame truth = render_reference(scene, resources_.load(scene), technique, size);
+        const ReferenceFrame truth = render_reference(scene, renderer_.resources().load(scene), technique, size);
         const Metrics metrics = compare(renderer_.render(scene, technique, size, true), truth, Flip::without);
         EXPECT_EQ(metrics.nonfinite_pixels, 0U);
         EXPECT_GT(metrics.compared_pixels, 1500U);
         return metrics.norms.max_abs;
     }
     Renderer renderer_{Assets("assets"), ShaderParts(Assets("shaders"))};
-    Resources resources_{Assets("assets")};
 };
 
 /// 5e-5: the bound of random scenes (n = 32: 2e-5 + 1.3e-5, and interpolation over slivers).

@@ -25,7 +25,8 @@ class NarrowViews : public GlTest {
   protected:
     /// The largest difference from the truth where both show the object, jumps included: no mask may hide anything.
     double error(const Scene &scene, const std::string &technique) {
-        const ReferenceFrame truth = render_reference(scene, resources_.load(scene), parse_technique(technique), size);
+        const ReferenceFrame truth =
+            render_reference(scene, renderer_.resources().load(scene), parse_technique(technique), size);
         const Frame drawn = renderer_.render(scene, parse_technique(technique), size, true);
         double largest = 0;
         std::size_t compared = 0;
@@ -40,9 +41,9 @@ class NarrowViews : public GlTest {
         return largest;
     }
     std::shared_ptr<const Mesh> seen_mesh(const Scene &scene, const char *technique) {
-        return seen_parts(scene, parse_technique(technique), resources_.load(scene), size.width / 150.0)[0].mesh;
+        return seen_parts(scene, parse_technique(technique), renderer_.resources().load(scene), size.width / 150.0)[0]
+            .mesh;
     }
-    Resources resources_{Assets("assets")};
     Renderer renderer_{Assets("assets"), ShaderParts(Assets("shaders"))};
 };
 
@@ -96,7 +97,7 @@ TEST_F(NarrowViews, AFlattenedSpeckWithALightInItIsFinite) {
 
 TEST_F(NarrowViews, OnlyTheyPayForIt) {
     Scene scene = case_scene("narrow_soft_spot");
-    const auto whole = resources_.load(scene)[0].mesh;
+    const auto whole = renderer_.resources().load(scene)[0].mesh;
     const auto part = seen_mesh(scene, "per-pixel/phong");
     EXPECT_NE(part, whole);
     EXPECT_LT(part->bounds.high.x - part->bounds.low.x, 0.01 * (whole->bounds.high.x - whole->bounds.low.x));
@@ -117,7 +118,7 @@ TEST_F(NarrowViews, OnlyTheyPayForIt) {
     scene.camera.fov_y_degrees = 45;
     EXPECT_EQ(seen_mesh(scene, "per-pixel/phong"), whole);
     const auto is_lit_afar = [&](const Scene &s) {
-        return object_features(s, parse_technique("per-pixel/phong"), resources_.load(s))[0].afar;
+        return object_features(s, parse_technique("per-pixel/phong"), renderer_.resources().load(s))[0].afar;
     };
     EXPECT_FALSE(is_lit_afar(scene));
     EXPECT_TRUE(is_lit_afar(case_scene("telescope")));

@@ -40,7 +40,7 @@ double contrast(const Image &image) {
 class NearUvsOnTheRenderer : public GlTest {
   protected:
     double error(const Scene &scene, const char *technique) {
-        const auto resources = resources_.load(scene);
+        const auto resources = renderer_.resources().load(scene);
         const ReferenceFrame truth = render_reference(scene, resources, parse_technique(technique), size);
         const Metrics metrics =
             compare(renderer_.render(scene, parse_technique(technique), size, true), truth, Flip::without);
@@ -56,14 +56,13 @@ class NearUvsOnTheRenderer : public GlTest {
     }
     /// near_uvs.h: (S + uv_step) 2^-21 repeats along each axis.
     double bound(double span) {
-        const auto image = resources_.load(scene_with(square(0, 0)))[0].texture;
+        const auto image = renderer_.resources().load(scene_with(square(0, 0)))[0].texture;
         return 2 * (span + uv_step) * 0x1p-21 * image->size.width * contrast(*image);
     }
 
     TemporaryFolder folder_;
     int files_ = 0;
     Renderer renderer_{Assets("assets"), ShaderParts(Assets("shaders"))};
-    Resources resources_{Assets("assets")};
 };
 
 /// Every frequency has its own vertex arrays: flat ones are not shared. The same square with coordinates from 0 to 1
@@ -86,8 +85,8 @@ TEST_F(NearUvsOnTheRenderer, RepeatsOfAMaterialAreThoseOfTheFile) {
     Scene repeated = scene_with(square(0, 0));
     repeated.objects[0].material.texture_repeat = {6, 6};
     const Technique technique = parse_technique("per-pixel/blinn-phong");
-    const ReferenceFrame truth = render_reference(written, resources_.load(written), technique, size);
-    const ReferenceFrame same = render_reference(repeated, resources_.load(repeated), technique, size);
+    const ReferenceFrame truth = render_reference(written, renderer_.resources().load(written), technique, size);
+    const ReferenceFrame same = render_reference(repeated, renderer_.resources().load(repeated), technique, size);
     for (std::size_t i = 0; i < truth.color.size(); ++i) {
         for (int c = 0; c < 3; ++c) {
             ASSERT_NEAR(truth.color[i][c], same.color[i][c], 1e-11); // whole repeats are taken off in double

@@ -16,7 +16,7 @@ constexpr Size size{96, 72};
 class OrthographicOnTheRenderer : public GlTest {
   protected:
     double error(const Scene &scene, const Technique &technique, std::size_t least = 600) {
-        const ReferenceFrame truth = render_reference(scene, resources_.load(scene), technique, size);
+        const ReferenceFrame truth = render_reference(scene, renderer_.resources().load(scene), technique, size);
         const Metrics metrics = compare(renderer_.render(scene, technique, size, true), truth, Flip::without);
         EXPECT_EQ(metrics.nonfinite_pixels, 0U);
         EXPECT_EQ(metrics.silhouette_pixels, 0U) << scene.name << ", " << to_string(technique);
@@ -24,7 +24,6 @@ class OrthographicOnTheRenderer : public GlTest {
         return metrics.norms.max_abs;
     }
     Renderer renderer_{Assets("assets"), ShaderParts(Assets("shaders"))};
-    Resources resources_{Assets("assets")};
 };
 
 /// 5e-5 + 4e-7 n for textbook powers, as everywhere (n = 32; the stiff scene's form is the stable one).

@@ -76,7 +76,7 @@ class RandomScenes : public GlTest {
     /// Returns the largest difference as a share of its bound: 2e-5 + 4e-7 n as everywhere, 3e-5 more for colours that
     /// are interpolated over slivers (truth_gl_test.cpp), all relative to the brightest pixel where that is above 1.
     double expect_truth(const Scene &scene, const Technique &technique, const std::string &name) {
-        const ReferenceFrame truth = render_reference(scene, resources_.load(scene), technique, size);
+        const ReferenceFrame truth = render_reference(scene, renderer_.resources().load(scene), technique, size);
         const Metrics metrics = compare(renderer_.render(scene, technique, size, true), truth);
         const double bound = (5e-5 + 4e-7 * textbook_exponent(scene, technique)) * brightest(truth);
         EXPECT_EQ(metrics.nonfinite_pixels, 0U) << name;
@@ -91,7 +91,6 @@ class RandomScenes : public GlTest {
     std::size_t compared_ = 0;
     std::size_t left_out_ = 0;
     Renderer renderer_{Assets("assets"), ShaderParts(Assets("shaders"))};
-    Resources resources_{Assets("assets")};
 };
 
 TEST_F(RandomScenes, DrawWhatTheTruthDraws) {

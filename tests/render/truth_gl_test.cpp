@@ -21,7 +21,7 @@ class Truth : public GlTest {
     std::size_t expect_within(const Scene &scene, const std::string &technique, double bound, Size size = {320, 240}) {
         SCOPED_TRACE(scene.name + " " + technique);
         const Technique parsed = parse_technique(technique);
-        const std::vector<ObjectResources> resources = resources_.load(scene);
+        const std::vector<ObjectResources> resources = renderer_.resources().load(scene);
         const Frame drawn = renderer_.render(scene, parsed, size, true);
         const ReferenceFrame truth = render_reference(scene, resources, parsed, size);
         const Metrics metrics = compare(drawn, truth, Flip::without);
@@ -41,7 +41,6 @@ class Truth : public GlTest {
     }
 
     Renderer renderer_{Assets("assets"), ShaderParts(Assets("shaders"))};
-    Resources resources_{Assets("assets")};
 
   private:
     static void expect_all_counted(const Metrics &metrics) {
