@@ -159,7 +159,10 @@ int OwnStructure::numbers_in(const std::string &type) const {
         return most_in_a_field * found->fields;
     }
     const bool of_the_interface = type == "Light" || type == "Material";
-    return type.find("mat") != std::string::npos ? most_in_a_field : of_the_interface ? 32 : 4;
+    if (of_the_interface || type.starts_with("mat")) {
+        return of_the_interface ? 32 : most_in_a_field;
+    }
+    return type.back() >= '2' && type.back() <= '4' ? type.back() - '0' : 1;
 }
 
 OwnStructure own_structure(std::vector<OwnToken> tokens, const std::string &file) {

@@ -18,7 +18,7 @@ constexpr int most_own_elses = 256;
 constexpr std::size_t most_inlined_tokens = 16384; ///< of a function with all that it calls
 constexpr std::size_t most_inlined_loops = 8;      ///< likewise: Mesa takes half a minute to compile 16 in a row
 constexpr int longest_own_array = 256;
-constexpr int most_array_numbers = 16384; ///< in all arrays together
+constexpr int most_array_numbers = 1024; ///< in all arrays together: llvmpipe takes seconds for twice as many
 
 struct OwnText {
     std::string file;
