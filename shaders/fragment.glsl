@@ -23,7 +23,9 @@ uniform float depth_at_1;
 uniform vec3 eye;
 #endif
 
-#if fragment.lit
+#if own.pixels
+#include "own_shading.glsl"
+#elif fragment.lit
 #include "lighting.glsl"
 #elif fragment.constant_ambient
 uniform vec3 ambient; // all constant ambient light, times the material
@@ -31,10 +33,10 @@ uniform vec3 ambient; // all constant ambient light, times the material
 #if emission
 uniform vec3 emission;
 #endif
-#if reads_uv
+#if reads_uv && !own.pixels
 uniform sampler2D base_texture;
 #endif
-#if reads_checker
+#if reads_checker && !own.pixels
 #include "base_checker.glsl"
 #endif
 #if shown
@@ -45,7 +47,9 @@ uniform sampler2D base_texture;
 void main()
 {
 #if fragment.N
-#if normals_unnormalized
+#if own
+    vec3 N = v_normal; // not unit
+#elif normals_unnormalized
     vec3 N = v_normal; // Fault: no stage makes it unit.
 #elif renormalize_off
     vec3 N = v_normal; // Fault: interpolation left it shorter than 1.
@@ -83,9 +87,9 @@ void main()
     vec3 vertex_specular = v_specular;
 #endif
 #endif
-#if textured
+#if textured && !own || textured && own.apart
     vec3 base = texture(base_texture, v_uv).rgb;
-#elif chequered
+#elif chequered && !own || chequered && own.apart
     vec3 base = checker_color(v_object_position);
 #elif full
     vec3 base = vec3(1.0);

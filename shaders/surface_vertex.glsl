@@ -1,4 +1,6 @@
-#if reads_model && position_absolute && !full
+#if reads_model && own
+uniform mat4 model; // world space
+#elif reads_model && position_absolute && !full
 uniform mat4 model; // Fault: world space, far from whose origin float32 is coarse
 #elif reads_model && off_eye && !full
 uniform mat4 model; // world space, moved so that the object's middle is the origin: the eye is too far away
@@ -17,11 +19,18 @@ uniform mat3 normal_matrix; // inverse transpose of model
 #if reads_eye
 uniform vec3 eye;
 #endif
+#if own.moved
+uniform vec3 mesh_origin; // the middle of a mesh far from its own origin, which its vertices are measured from
+#endif
 
 #if vertex.P
 vec3 surface_position()
 {
-#if position_w0
+#if own.position && own.moved
+    return position(${vertex.point} + mesh_origin);
+#elif own.position
+    return position(${vertex.point});
+#elif position_w0
     // Fault: w = 0 drops the translation.
     return (model * vec4(${vertex.point}, 0.0)).xyz - eye;
 #else
@@ -37,7 +46,9 @@ vec3 surface_position()
 #endif
 vec3 surface_normal()
 {
-#if normals_untransformed
+#if own.normal
+    return normal(a_normal);
+#elif normals_untransformed
     return a_normal; // Fault: still in object space.
 #elif normals_model_matrix && guard_vertex_normal
     return guarded_unit(mat3(model) * a_normal, a_normal); // Fault: wrong under non-uniform scale.

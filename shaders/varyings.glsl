@@ -10,7 +10,9 @@ ${flat}${way} vec3 v_back_light;
 #if both_sides && vertex.separate_specular
 ${flat}${way} vec3 v_back_specular;
 #endif
-#if fragment.P && !wide
+#if fragment.P && own
+${way} vec3 v_position; // world space
+#elif fragment.P && !wide
 ${way} vec3 v_position; // from the eye
 #endif
 #if fragment.N

@@ -16,8 +16,11 @@ layout(location = 3) in vec3 a_centroid;
 #choices
 
 uniform mat4 model_view_projection;
+#if own.at_vertices
+#include "own_shading.glsl"
+#endif
 #include "surface_vertex.glsl"
-#if vertex.lit
+#if vertex.lit && !own
 #include "lighting.glsl"
 #elif vertex.declares_lights
 #include "lights.glsl"
@@ -52,13 +55,23 @@ void main()
 #if vertex.lit && vertex.N && vertex.V && two_sided && facing_view
     N = dot(N, V) < 0.0 ? -N : N; // Fault: where an interpolated N leans away, no back is seen.
 #endif
-#if vertex.separate_specular
+#if vertex.separate_specular && !own
     v_specular = vec3(0.0);
 #endif
-#if vertex.lit
+#if own.apart
+    own_base = vec3(0.0); // what no base colour multiplies; the rest is proportional to it
+    v_specular = lighting(${vertex.surface_arguments});
+    own_base = vec3(1.0);
+    v_light = lighting(${vertex.surface_arguments}) - v_specular;
+#elif vertex.lit
     v_light = lighting(${vertex.surface_arguments});
 #endif
-#if both_sides && two_sided && facing_winding
+#if own.apart && both_sides
+    own_base = vec3(0.0);
+    v_back_specular = lighting(${vertex.back_arguments});
+    own_base = vec3(1.0);
+    v_back_light = lighting(${vertex.back_arguments}) - v_back_specular;
+#elif both_sides && two_sided && facing_winding
 #if vertex.separate_specular
     v_back_specular = vec3(0.0);
 #endif

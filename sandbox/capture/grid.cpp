@@ -2,6 +2,7 @@
 
 #include "capture/labels.h"
 #include "capture/sidecar.h"
+#include "capture/technique_json.h"
 #include "image/cut_paste.h"
 #include "image/error.h"
 #include "image/picture_size.h"
@@ -70,21 +71,21 @@ Sweep parse_sweep(std::string_view text) {
 std::string grid_text(std::string_view cell, const Grid &grid) {
     auto rows = nlohmann::ordered_json::array();
     for (const Technique &technique : grid.techniques) {
-        rows.push_back(to_string(technique));
+        rows.push_back(technique_json(technique));
     }
     const std::string sweep = fmt::format("{}={}", grid.sweep.path, fmt::join(grid.sweep.values, ","));
     return with_keys(cell, nlohmann::ordered_json{{"rows", rows}, {"sweep", sweep}}.dump());
 }
 
 std::optional<Grid> grid_of(std::string_view text, std::string_view name) {
-    const auto json = nlohmann::json::parse(text, nullptr, false);
+    const auto json = nlohmann::ordered_json::parse(text, nullptr, false);
     if (!json.is_object() || !json.contains("scene") || !json.contains("sweep")) {
         return std::nullopt;
     }
     try {
         Grid grid{{}, parse_sweep(json.at("sweep").get<std::string>())};
-        for (const std::string &row : json.at("rows").get<std::vector<std::string>>()) {
-            grid.techniques.push_back(parse_technique(row));
+        for (const auto &row : json.at("rows").get<std::vector<nlohmann::ordered_json>>()) {
+            grid.techniques.push_back(technique_of(row));
         }
         if (grid.techniques.empty()) {
             throw InputError("expected at least one technique");

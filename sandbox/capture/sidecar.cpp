@@ -1,6 +1,7 @@
 #include "capture/sidecar.h"
 
 #include "capture/samples.h"
+#include "capture/technique_json.h"
 #include "image/error.h"
 #include "scene/scene_file.h"
 
@@ -58,8 +59,8 @@ void write_marks(ordered_json &out, const Marks &marks) {
 }
 
 void read_techniques(const ordered_json &value, PictureOptions &options) {
-    options.left = parse_technique(value.at(0).get<std::string>());
-    options.right = value.size() > 1 ? parse_technique(value.at(1).get<std::string>()) : options.left;
+    options.left = technique_of(value.at(0));
+    options.right = value.size() > 1 ? technique_of(value.at(1)) : options.left;
 }
 
 } // namespace
@@ -71,9 +72,9 @@ std::filesystem::path sidecar_path(const std::filesystem::path &picture) {
 }
 
 std::string sidecar_text(const Scene &scene, const PictureOptions &options, const DrawnBy &by) {
-    ordered_json techniques = ordered_json::array({to_string(options.left)});
+    ordered_json techniques = ordered_json::array({technique_json(options.left)});
     if (options.layout != Layout::single || options.flip != FlipSide::none) {
-        techniques.push_back(to_string(options.right));
+        techniques.push_back(technique_json(options.right));
     }
     ordered_json out{{"version", SANDBOX_VERSION},
                      {"renderer", by.renderer},

@@ -19,10 +19,10 @@ struct DrawnBy {
 /// a.png -> a.png.json
 std::filesystem::path sidecar_path(const std::filesystem::path &picture);
 
-/// Keys: version, renderer, opengl, layout, techniques (one or two), textbook_left masks and the words of overlays (if
-/// so), mesh_factors (if any is not 1), flip (A or B: which of two is shown), size, display, exposure, gain, labels,
-/// language (unless English), difference_of (of a difference), divider (of a wipe), pixel, vectors, loupe, profile,
-/// ring (the marks), view, scene.
+/// Keys: version, renderer, opengl, layout, techniques (one or two: technique_json()), textbook_left masks and the
+/// words of overlays (if so), mesh_factors (if any is not 1), flip (A or B: which of two is shown), size, display,
+/// exposure, gain, labels, language (unless English), difference_of (of a difference), divider (of a wipe), pixel,
+/// vectors, loupe, profile, ring (the marks), view, scene.
 std::string sidecar_text(const Scene &scene, const PictureOptions &options, const DrawnBy &by);
 
 /// A sidecar with more keys, a JSON object, before its scene.

@@ -5,6 +5,7 @@
 #include "capture/samples.h"
 #include "capture/sidecar.h"
 #include "commands/interrupt.h"
+#include "commands/own_flags.h"
 #include "commands/progress_bar.h"
 #include "commands/session.h"
 #include "image/image_file.h"
@@ -23,8 +24,16 @@
 namespace sandbox {
 namespace {
 
+/// As typed, till own shading is read.
+struct TypedTechniques {
+    std::vector<std::string> single;
+    std::optional<std::string> left, right;
+    OwnFlags own;
+};
+
 /// As typed: absent where a sidecar's value or the default stands.
 struct CaptureFlags {
+    TypedTechniques typed;
     std::string scene, view;
     std::filesystem::path out;
     std::vector<Technique> techniques;
@@ -245,7 +254,23 @@ std::optional<Grid> asked_grid(const CaptureFlags &flags, const PictureOptions &
     return !other && sidecar_of(flags.scene) ? grid_of(read_file(flags.scene), flags.scene) : std::nullopt;
 }
 
-int run_capture(const CaptureFlags &flags, const CommonOptions &common) {
+CaptureFlags with_techniques(CaptureFlags flags) {
+    OwnTechniques techniques(flags.typed.own);
+    for (const std::string &text : flags.typed.single) {
+        flags.techniques.push_back(techniques.single("--technique", text));
+    }
+    if (flags.typed.left) {
+        flags.left = techniques.left(*flags.typed.left);
+    }
+    if (flags.typed.right) {
+        flags.right = techniques.right(*flags.typed.right);
+    }
+    techniques.require_all_used();
+    return flags;
+}
+
+int run_capture(const CaptureFlags &typed, const CommonOptions &common) {
+    const CaptureFlags flags = with_techniques(typed);
     const bool pfm = check_output(flags.out, {".png", ".pfm"}) == ".pfm";
     if (pfm) {
         refuse_display_flags(flags);
@@ -310,17 +335,10 @@ void add_capture(CLI::App &app, CommonOptions &common, Run &run) {
     add_value(command, "--out", "FILE", flags->out,
               "FILE.png (8 bit) or FILE.pfm (linear RGB in float32, bottom row first)")
         ->required();
-    const auto add_techniques = [flags](const std::vector<std::string> &texts) {
-        for (const std::string &text : texts) {
-            flags->techniques.push_back(with_flag("--technique", [&] { return parse_technique(text); }));
-        }
-    };
-    command
-        .add_option_function<std::vector<std::string>>(
-            "--technique", add_techniques,
-            "Technique of a single view [per-pixel/blinn-phong]; repeatable with --sweep")
-        ->type_name("T")
+    add_value(command, "--technique", "T", flags->typed.single,
+              "Technique of a single view [per-pixel/blinn-phong]; repeatable with --sweep")
         ->allow_extra_args(false);
+    add_own_files(command, flags->typed.own, true);
     add_parsed(command, "--size", "WxH", flags->size, parse_size, "Size of the whole picture [1280x720]");
     add_view_name(command, flags->view);
     add_parsed(command, "--display", "linear|srgb", flags->display, parse_display, "Transfer curve of a PNG [linear]");
@@ -343,8 +361,8 @@ void add_capture(CLI::App &app, CommonOptions &common, Run &run) {
     command.add_flag("--no-sidecar", flags->no_sidecar,
                      "Do not write FILE.json, the sidecar that reproduces the picture");
     command.option_defaults()->group("Two views");
-    add_parsed(command, "--left", "T", flags->left, parse_technique, "Technique of the left view, A");
-    add_parsed(command, "--right", "T", flags->right, parse_technique, "Technique of the right view, B");
+    add_value(command, "--left", "T", flags->typed.left, "Technique of the left view, A");
+    add_value(command, "--right", "T", flags->typed.right, "Technique of the right view, B");
     add_parsed(command, "--layout", "LAYOUT", flags->layout, parse_layout,
                "side-by-side, wipe, difference or three-up, whose third view is the truth [side-by-side]");
     add_value(command, "--gain", "G", flags->gain, "Factor on a difference in a PNG [1]");

@@ -1,5 +1,6 @@
 #include "commands/commands.h"
 
+#include "commands/own_flags.h"
 #include "commands/progress_bar.h"
 #include "commands/session.h"
 #include "measure/metrics/metrics.h"
@@ -17,8 +18,8 @@ namespace {
 constexpr std::string_view reference_word = "reference";
 
 struct CompareFlags {
-    std::string scene, right, view;
-    Technique left;
+    std::string scene, left, right, view;
+    OwnFlags own;
     Size size = default_picture_size;
     bool json = false;
     std::optional<double> max_abs;
@@ -31,7 +32,7 @@ bool is_reference(std::string_view text) {
 
 /// `reference[:key=value,...]`: the model and normalisation of the left technique, per-pixel, every fault off, then
 /// what the keys change. frequency and model count as keys, too.
-Technique reference_technique(Technique left, std::string_view text) {
+Technique reference_technique(const Technique &left, std::string_view text) {
     std::string frequency = "per-pixel";
     std::string model(model_values[static_cast<std::size_t>(left.model)].name);
     std::string others;
@@ -45,6 +46,10 @@ Technique reference_technique(Technique left, std::string_view text) {
         } else {
             others += (others.empty() ? ":" : ",") + setting;
         }
+    }
+    if (left.model == Model::own && model == model_key.value(left).name) {
+        throw InputError("own shading has no reference: name the model that it is held against, as in "
+                         "reference:model=phong");
     }
     Technique reference = parse_technique(fmt::format("{}/{}{}", frequency, model, others));
     if (others.find("normalisation=") == std::string::npos && reference.model == left.model) {
@@ -144,30 +149,32 @@ bool within(const Metrics &metrics, double bound) {
 
 int run_compare(const CompareFlags &flags, const CommonOptions &common) {
     const bool to_reference = is_reference(flags.right);
-    const Technique right = with_flag("--right", [&] {
-        return to_reference ? reference_technique(flags.left, flags.right) : parse_technique(flags.right);
-    });
+    OwnTechniques techniques(flags.own);
+    const Technique left = techniques.left(flags.left);
+    const Technique right = to_reference ? with_flag("--right", [&] { return reference_technique(left, flags.right); })
+                                         : techniques.right(flags.right);
+    techniques.require_all_used();
     if (flags.max_abs && !(std::isfinite(*flags.max_abs) && *flags.max_abs >= 0)) {
         throw InputError("--max-abs: expected a number >= 0");
     }
     const Scene scene = open_scene(common, flags.scene, flags.view);
 
     DrawingSession session(common);
-    const Frame drawn = session.renderer().render(scene, flags.left, flags.size, true);
+    const Frame drawn = session.renderer().render(scene, left, flags.size, true);
     const Comparison comparison =
         to_reference ? compare_to_reference(drawn, scene, right, flags.size, session.renderer().resources())
                      : Comparison{compare(drawn, session.renderer().render(scene, right, flags.size, true))};
     nlohmann::ordered_json all = figures(comparison, flags.size);
-    all["no_effect"] = no_effect(scene, flags.left, right);
+    all["no_effect"] = no_effect(scene, left, right);
     const auto resources = session.renderer().resources().load(scene);
-    all["same_picture"] = !to_reference && same_picture(scene, flags.left, right, resources);
+    all["same_picture"] = !to_reference && same_picture(scene, left, right, resources);
     if (to_reference) {
-        note_no_effect(scene, flags.left);
+        note_no_effect(scene, left);
     } else {
-        note_no_effect(scene, flags.left, right, resources);
+        note_no_effect(scene, left, right, resources);
     }
     all["scene"] = flags.scene;
-    all["left"] = to_string(flags.left);
+    all["left"] = to_string(left);
     all["right"] = (to_reference ? "reference of " : "") + to_string(right);
     all["size"] = fmt::format("{}x{}", flags.size.width, flags.size.height);
     all["renderer"] = session.context().renderer();
@@ -185,17 +192,19 @@ void add_compare(CLI::App &app, CommonOptions &common, Run &run) {
     CLI::App &command = *app.add_subcommand("compare", "Measure how far one picture of a scene is from another");
     const auto flags = std::make_shared<CompareFlags>();
     add_scene(command, flags->scene);
-    add_parsed(command, "--left", "T", flags->left, parse_technique, "Technique to judge")->required();
+    add_value(command, "--left", "T", flags->left, "Technique to judge")->required();
     add_value(command, "--right", "T|reference[:key=value,...]", flags->right,
               "Technique, or reference, to judge it against")
         ->required();
+    add_own_files(command, flags->own, true);
     add_parsed(command, "--size", "WxH", flags->size, parse_size, "Size of both pictures [1280x720]");
     add_view_name(command, flags->view);
     command.add_flag("--json", flags->json, "Print JSON; infinite figures and those over no pixels are null");
     add_value(command, "--max-abs", "X", flags->max_abs, "Exit 1 if max_abs is above this");
     command.footer(
         "reference: the model of the left technique, per-pixel, every fault off, in double precision; keys of a\n"
-        "technique, frequency and model change that. Errors use the pixels where both pictures show the\n"
+        "technique, frequency and model change that; of own shading, the model must be named. Errors use the pixels "
+        "where both pictures show the\n"
         "same object, except those at an edge between triangles, at a jump of the equation in the\n"
         "reference, or where float32 rounding alone decides; each of those counts under the first of these\n"
         "causes. If a pixel is not finite, all errors are infinite. If no pixel is compared, there are no\n"

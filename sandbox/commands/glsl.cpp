@@ -1,5 +1,6 @@
 #include "commands/commands.h"
 
+#include "commands/own_flags.h"
 #include "scene/resources.h"
 #include "scene/scene_file.h"
 #include "shading/prepared_object.h"
@@ -11,8 +12,8 @@ namespace sandbox {
 namespace {
 
 struct GlslFlags {
-    std::string scene, stage, object;
-    Technique technique;
+    std::string scene, stage, object, technique;
+    OwnFlags own;
 };
 
 std::string indexed_name(std::size_t object) { return fmt::format("objects[{}]", object); }
@@ -51,14 +52,17 @@ void note_other_programs(const Scene &scene, const std::vector<PreparedObject> &
 }
 
 int run_glsl(const GlslFlags &flags, const CommonOptions &common) {
+    OwnTechniques techniques(flags.own);
+    const Technique technique = techniques.single("--technique", flags.technique);
+    techniques.require_all_used();
     const Scene scene = open_scene(common, flags.scene);
     const std::size_t chosen = find_object(scene, flags.object);
     const std::vector<ObjectResources> resources = Resources(scene_assets(common)).load(scene);
-    const std::vector<PreparedObject> objects = prepare_objects(scene, flags.technique, resources);
+    const std::vector<PreparedObject> objects = prepare_objects(scene, technique, resources);
     require_drawable(objects[chosen].features, scene.objects[chosen]);
     const ProgramSource program = assemble(objects[chosen].program, ShaderParts(shader_assets(common)));
     note_other_programs(scene, objects, chosen);
-    note_no_effect(scene, flags.technique);
+    note_no_effect(scene, technique);
     if (flags.stage.empty()) {
         print(fmt::format("// ---- vertex stage ----\n{}\n// ---- fragment stage ----\n{}", program.vertex.text,
                           program.fragment.text));
@@ -74,9 +78,10 @@ void add_glsl(CLI::App &app, CommonOptions &common, Run &run) {
     CLI::App &command = *app.add_subcommand("glsl", "Print the GLSL program that draws a scene with a technique");
     const auto flags = std::make_shared<GlslFlags>();
     add_scene(command, flags->scene);
-    add_parsed(command, "--technique", "T", flags->technique, parse_technique,
-               "Technique; with program=full, the program that can draw every scene")
+    add_value(command, "--technique", "T", flags->technique,
+              "Technique; with program=full, the program that can draw every scene")
         ->required();
+    add_own_files(command, flags->own, false);
     add_choice(command, "--stage", {"vertex", "fragment"}, flags->stage, "Print only this stage");
     add_value(command, "--object", "NAME", flags->object, "Object whose program to print [the first]");
     command.footer("Needs no OpenGL.");

@@ -1,6 +1,7 @@
 #include "commands/commands.h"
 
 #include "commands/interrupt.h"
+#include "commands/own_flags.h"
 #include "commands/session.h"
 #include "image/image_file.h"
 
@@ -17,8 +18,8 @@ using Clock = std::chrono::steady_clock;
 constexpr int most_frames = 1000000;
 
 struct TimeFlags {
-    std::string scene;
-    Technique technique;
+    std::string scene, technique{to_string(Technique{})};
+    OwnFlags own;
     Size size = default_picture_size;
     std::string frames = "30";
     std::filesystem::path out;
@@ -72,15 +73,17 @@ int run_time(const TimeFlags &flags, const CommonOptions &common) {
     }
     const bool by_lines = flags.frames == "-";
     const int frames = by_lines ? 0 : parse_frames(flags.frames, "--frames");
+    OwnTechniques techniques(flags.own);
+    const Technique technique = techniques.single("--technique", flags.technique);
+    techniques.require_all_used();
     const Scene scene = open_scene(common, flags.scene);
 
     DrawingSession session(common);
-    TimedFrames timed(session.renderer(), scene, flags.technique, flags.size);
+    TimedFrames timed(session.renderer(), scene, technique, flags.size);
     timed.draw();
     const auto first = Clock::now().time_since_epoch();
     const nlohmann::ordered_json header{
-        {"case",
-         fmt::format("{} {} {}x{}", flags.scene, to_string(flags.technique), flags.size.width, flags.size.height)},
+        {"case", fmt::format("{} {} {}x{}", flags.scene, to_string(technique), flags.size.width, flags.size.height)},
         {"renderer", session.context().renderer()},
         {"first_ns", std::chrono::duration_cast<std::chrono::nanoseconds>(first).count()}};
     print(header.dump() + "\n");
@@ -103,8 +106,8 @@ void add_time(CLI::App &app, CommonOptions &common, Run &run) {
     CLI::App &command = *app.add_subcommand("time", "Time finished frames; prints JSON lines");
     const auto flags = std::make_shared<TimeFlags>();
     add_scene(command, flags->scene);
-    add_parsed(command, "--technique", "T", flags->technique, parse_technique,
-               "Technique to time [per-pixel/blinn-phong]");
+    add_value(command, "--technique", "T", flags->technique, "Technique to time [per-pixel/blinn-phong]");
+    add_own_files(command, flags->own, false);
     add_parsed(command, "--size", "WxH", flags->size, parse_size, "Size of the frames [1280x720]");
     add_value(command, "--frames", "N|-", flags->frames, "Frames after the first; '-' reads counts from stdin [30]");
     add_value(command, "--out", "FILE.png", flags->out, "Write the last frame to this file");

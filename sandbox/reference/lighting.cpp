@@ -167,6 +167,7 @@ LightVectors light_vectors(const Setup &setup, const LightSetup &light, const gl
     }
     switch (setup.technique.model) {
     case Model::lambert:
+    case Model::own:
         break;
     case Model::phong:
         vectors.r = 2 * glm::dot(n, vectors.l) * n - vectors.l;
@@ -183,6 +184,7 @@ std::pair<glm::dvec3, glm::dvec3> highlight_vectors(Model model, const LightVect
                                                     const glm::dvec3 &v) {
     switch (model) {
     case Model::lambert:
+    case Model::own:
         break;
     case Model::phong:
         return {vectors.r, v};

@@ -1,5 +1,6 @@
 #include "reference/reference.h"
 
+#include "image/error.h"
 #include "reference/analytic_picture.h"
 #include "reference/mesh_picture.h"
 
@@ -14,6 +15,10 @@ std::unique_ptr<reference::Picture> picture_of(const Scene &scene, const std::ve
                                                const Technique &technique, Size size, Surface surface) {
     if (size.width <= 0 || size.height <= 0 || resources.size() != scene.objects.size()) {
         throw std::invalid_argument("reference: a size above 0 and one resource an object are needed");
+    }
+    if (technique.model == Model::own) {
+        throw InputError("own shading has no reference: name the model that it is held against, as in "
+                         "reference:model=phong");
     }
     return surface == Surface::mesh ? reference::mesh_picture(scene, resources, technique, size)
                                     : reference::analytic_picture(scene, resources, technique, size);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <glad/gl.h>
 
+#include <cstring>
 #include <vector>
 
 namespace sandbox {
@@ -58,7 +59,37 @@ std::map<std::string, int, std::less<>> active_uniforms(unsigned program) {
     return result;
 }
 
+bool can_compile_es() {
+    GLint count = 0;
+    glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+    for (GLint i = 0; i < count; ++i) {
+        const GLubyte *name = glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
+        if (std::strcmp(reinterpret_cast<const char *>(name), "GL_ARB_ES3_compatibility") == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// The first two lines, of which the second is blank, in the other language: lines keep their numbers.
+StageSource as_es(StageSource source) {
+    constexpr std::string_view core = "#version 330 core\n\n";
+    if (!source.text.starts_with(core)) {
+        throw std::logic_error("a stage begins with its version and a blank line");
+    }
+    source.text.replace(0, core.size(),
+                        "#version 300 es\nprecision highp float; precision highp int; precision highp sampler2D;\n");
+    return source;
+}
+
 } // namespace
+
+void require_es(const ProgramSource &source) {
+    if (can_compile_es()) {
+        compile(GL_VERTEX_SHADER, as_es(source.vertex));
+        compile(GL_FRAGMENT_SHADER, as_es(source.fragment));
+    }
+}
 
 GlProgram::GlProgram(const ProgramSource &source) : program_(make_program()) {
     const ShaderObject vertex = compile(GL_VERTEX_SHADER, source.vertex);

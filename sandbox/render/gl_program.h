@@ -44,4 +44,8 @@ class GlProgram {
     std::map<std::string, int, std::less<>> uniforms_;
 };
 
+/// Throws ShaderError where a stage is no GLSL ES 3.00, so that it would fail in a browser. Only drivers that offer
+/// ARB_ES3_compatibility can tell; others accept everything here.
+void require_es(const ProgramSource &source);
+
 } // namespace sandbox

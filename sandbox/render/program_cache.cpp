@@ -1,5 +1,6 @@
 #include "render/program_cache.h"
 
+#include "image/error.h"
 #include "shading/template.h"
 
 #include <algorithm>
@@ -13,11 +14,18 @@ constexpr std::size_t most_programs = 48;
 
 void ProgramCache::build(Entry &entry, const Features &features) {
     try {
-        entry.program = std::make_shared<const GlProgram>(assemble(features, parts_));
+        const ProgramSource source = assemble(features, parts_);
+        if (features.is_own()) {
+            require_es(source);
+        }
+        entry.program = std::make_shared<const GlProgram>(source);
         entry.last_good = false;
         ++built_;
     } catch (const std::exception &failure) { // ShaderError, or a part's directive that does not read
         error_ = failure.what();
+        if (entry.program == nullptr && features.is_own()) {
+            throw InputError(error_);
+        }
         if (entry.program == nullptr) {
             throw ShaderError(error_);
         }

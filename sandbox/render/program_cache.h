@@ -16,7 +16,8 @@ class ProgramCache {
   public:
     explicit ProgramCache(const ShaderParts &parts) : parts_(parts) {}
 
-    /// Throws ShaderError where it cannot be built and no earlier build of the same features can stand in.
+    /// Throws ShaderError, or InputError of own shading, where it cannot be built and no earlier build of the same
+    /// features can stand in.
     const GlProgram &get(const Features &features);
     /// Would get() return at once?
     [[nodiscard]] bool has(const Features &features) const;

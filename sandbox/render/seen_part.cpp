@@ -130,7 +130,7 @@ std::vector<ObjectResources> seen_parts(const Scene &scene, const Technique &tec
     const bool only_unit_normals =
         technique.frequency == Frequency::per_pixel && technique.position == LightingPosition::world &&
         technique.attenuation == AttenuationAt::exact && technique.renormalize == Renormalize::on &&
-        technique.normals != Normals::unnormalized;
+        technique.normals != Normals::unnormalized && technique.model != Model::own;
     const NarrowView view(scene.camera, aspect);
     for (std::size_t i = 0; only_unit_normals && i < resources.size(); ++i) {
         const Mesh &mesh = *resources[i].mesh;

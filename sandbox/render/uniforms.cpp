@@ -2,12 +2,15 @@
 
 #include "render/light_values.h"
 #include "scene/space.h"
+#include "shading/own_interface.h"
 #include "shading/template_values.h"
 
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>
+#include <span>
+#include <variant>
 
 namespace sandbox {
 namespace {
@@ -57,6 +60,25 @@ void put_rays(Uploader &uploader, const ObjectDraw &draw) {
     uploader.put("ray_up", glm::vec3(up * (2.0 / draw.size.height)));
 }
 
+template <class From>
+void put_own(Uploader &uploader, const std::string &prefix, std::span<const OwnName<From>> rows, const From &from) {
+    for (const OwnName<From> &row : rows) {
+        std::visit([&](const auto &value) { uploader.put(prefix + std::string(row.name), value); }, row.value(from));
+    }
+}
+
+/// The interface of own shading.
+void put_own(Uploader &uploader, const ObjectDraw &draw) {
+    const auto lights = own_lights(draw.scene);
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        put_own(uploader, fmt::format("lights[{}].", i), own_light_fields(), *lights[i]);
+    }
+    uploader.skip_from("lights[", static_cast<int>(lights.size())); // an array has one element at least
+    put_own(uploader, "material.", own_material_fields(), draw.object.material);
+    put_own(uploader, "", own_uniforms(), OwnSubject{draw.scene, draw.object});
+    uploader.put("mesh_origin", glm::vec3(draw.prepared.space.origin));
+}
+
 } // namespace
 
 void put_choices(Uploader &uploader, const Features &object) {
@@ -76,8 +98,12 @@ void upload_uniforms(const GlProgram &program, const ObjectDraw &draw) {
     put_rays(uploader, draw);
     uploader.put("depth_per_octave", static_cast<float>(space.depth_per_octave));
     uploader.put("depth_at_1", static_cast<float>(space.depth_at_1));
-    uploader.put("normal_matrix",
-                 glm::mat3(normal_matrix(prepared.features.technique.normals, scene.camera, draw.object, space)));
+    if (prepared.program.is_own()) {
+        put_own(uploader, draw);
+    } else {
+        const Normals normals = prepared.features.technique.normals;
+        uploader.put("normal_matrix", glm::mat3(normal_matrix(normals, scene.camera, draw.object, space)));
+    }
     uploader.put("eye", glm::vec3(space.eye));
     uploader.put("view_direction", glm::vec3(-camera_axes(scene.camera).forward));
     uploader.put("shininess", static_cast<float>(raised_exponent(scene, prepared.features.technique.model, material)));

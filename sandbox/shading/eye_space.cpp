@@ -113,8 +113,8 @@ EyeSpace eye_space(const Scene &scene, const Object &object, const Mesh &mesh, c
     space.model[3] =
         glm::dvec4((moved + (object.transform.translate - scene.camera.position)) * space.scale, space.scale);
     space.normals = normal_matrix(linear);
-    const bool absolute = technique.position == LightingPosition::absolute;
-    space.afar = guarded && technique.position == LightingPosition::world && is_afar(scene, object, mesh);
+    const bool absolute = technique.position == LightingPosition::absolute || technique.model == Model::own;
+    space.afar = guarded && !absolute && technique.position == LightingPosition::world && is_afar(scene, object, mesh);
     space.lit_scale = absolute ? 1 : space.scale;
     space.lit_model = space.model;
     space.lit_origin = scene.camera.position;

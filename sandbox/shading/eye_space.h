@@ -25,7 +25,7 @@ struct EyeSpace {
     glm::dmat3 normals{1};
     /// From position - origin to where lighting takes the surface to be: lit_scale * (world position - lit_origin), and
     /// lit_scale. The same as `model`, and lit_origin the eye, unless the object is afar (see is_afar(): its own
-    /// middle) or the technique says position=absolute (the world's origin).
+    /// middle) or the technique says position=absolute or is own shading (the world's origin).
     glm::dmat4 lit_model{1};
     glm::dvec3 lit_origin{0};
     double lit_scale = 1;

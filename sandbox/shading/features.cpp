@@ -2,6 +2,7 @@
 
 #include "scene/space.h"
 #include "shading/needs.h"
+#include "shading/own_interface.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -250,6 +251,24 @@ Technique without_effectless_values(Technique technique, const Scene &scene, con
     return technique;
 }
 
+/// The text decides all but how it is fed.
+Features own_features(const Scene &scene, const Technique &technique, const Object &object, const EyeSpace &space) {
+    const OwnText &text = *technique.own;
+    Features f;
+    f.technique = {.frequency = technique.frequency, .model = Model::own, .own = technique.own};
+    f.own.lights = static_cast<int>(own_lights(scene).size());
+    f.own.moved = text.position && space.origin != glm::dvec3(0);
+    f.chequered = text.base && object.material.checker;
+    f.textured = text.base && !object.material.checker && !object.material.texture.empty();
+    f.normals = text.reads_N;
+    f.two_sided = f.normals && object.two_sided;
+    if (f.normals && !text.normal) {
+        derive_normal_transform(f, Normals::inverse_transpose, linear_part(object.transform), space);
+        f.guard_vertex_normal = may_lose_normals(f, space);
+    }
+    return f;
+}
+
 } // namespace
 
 double raised_exponent(const Scene &scene, Model model, const Material &material) {
@@ -258,6 +277,9 @@ double raised_exponent(const Scene &scene, Model model, const Material &material
 
 Features derive_features(const Scene &scene, const Technique &given, const Object &object, const Mesh &mesh,
                          const ObjectLights &lights, const EyeSpace &space) {
+    if (given.model == Model::own) {
+        return own_features(scene, given, object, space);
+    }
     Technique technique = given;
     const bool orthographic = is_orthographic(scene.camera);
     if (orthographic) {

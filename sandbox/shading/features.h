@@ -43,6 +43,13 @@ struct LightFeatures {
 enum class NormalTransform { identity, rigid, general };
 enum class Exponent { zero, one, textbook, stable };
 
+/// Of the model `own`, what its text leaves open.
+struct OwnFeatures {
+    int lights = 0;     ///< the length of its array
+    bool moved = false; ///< position() is handed vertices whose buffers are measured from elsewhere than their origin
+    auto operator<=>(const OwnFeatures &) const = default; // NOLINT(modernize-use-nullptr): version 14 errs
+};
+
 struct Features {
     Technique technique; ///< as far as it shows: a key that changes no pixel here stands at its default
     ByLightKind<LightFeatures> lights;
@@ -61,12 +68,14 @@ struct Features {
     bool afar = false;         ///< positions are measured from the object's middle, not from the eye
     bool wide = false;         ///< positions are found from the pixel, not interpolated
     bool deep = false;         ///< depth is stored as a logarithm
+    OwnFeatures own;
     bool object_ids = false;
     bool shown = false;                                 ///< writes what a screen shows, not linear light:
     bool srgb = false;                                  ///< by this curve
     bool exposed = false;                               ///< with an exposure other than 1
     auto operator<=>(const Features &) const = default; // NOLINT(modernize-use-nullptr): version 14 errs
 
+    [[nodiscard]] bool is_own() const { return technique.model == Model::own; }
     [[nodiscard]] bool is_full() const { return technique.program == Program::full; }
     /// Are positions measured from elsewhere than the eye?
     [[nodiscard]] bool off_eye() const { return afar || technique.position == LightingPosition::absolute; }

@@ -1,6 +1,7 @@
 #include "shading/needs.h"
 
 #include "image/error.h"
+#include "shading/own_text.h"
 #include "shading/program_source.h"
 
 namespace sandbox {
@@ -109,6 +110,13 @@ ProgramNeeds derive_needs(const Features &f) {
     needs.fragment.specular = !at_vertices || hybrid;
     derive_stage(needs.vertex, f, Stage::vertex, false);
     derive_stage(needs.fragment, f, Stage::fragment, needs.vectors);
+    if (f.is_own()) {
+        StageNeeds &stage = at_vertices ? needs.vertex : needs.fragment;
+        stage.lit = true;
+        stage.P = f.technique.own->reads_P;
+        stage.N = f.technique.own->reads_N;
+        stage.separate_specular = at_vertices && f.has_base();
+    }
     needs.vertex.constant_ambient = f.ambient && needs.vertex.lit;
     needs.fragment.constant_ambient = f.ambient && !needs.vertex.lit;
     needs.both_sides = needs.vertex.lit && needs.vertex.N && f.turns_by_winding();

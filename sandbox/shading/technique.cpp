@@ -39,6 +39,9 @@ void parse_setting(Technique &result, std::string_view setting, std::string_view
 
 /// Why the value that `key` holds is refused; empty: it is not.
 std::string_view refusal(const TechniqueKey &key, const Technique &technique) {
+    if (technique.model == Model::own && key.kind != TechniqueKey::Kind::choice && key.get(technique) != 0) {
+        return "has no meaning beside the model own, whose text decides";
+    }
     const auto rule = key.value(technique).why_refused;
     return rule == nullptr ? std::string_view{} : rule(technique);
 }
@@ -55,7 +58,7 @@ std::span<const TechniqueKey> technique_keys() {
 }
 
 std::optional<std::string> why_refused(const Technique &technique) {
-    for (const TechniqueKey &key : technique_settings) {
+    for (const TechniqueKey &key : technique_keys()) {
         if (const auto reason = refusal(key, technique); !reason.empty()) {
             return fmt::format("{}={} {}", key.name, key.value(technique).name, reason);
         }
@@ -63,7 +66,9 @@ std::optional<std::string> why_refused(const Technique &technique) {
     return std::nullopt;
 }
 
-Technique parse_technique(std::string_view text) {
+Technique parse_technique(std::string_view text) { return parse_technique_with({}, text); }
+
+Technique parse_technique_with(const OwnShader &own, std::string_view text) {
     Technique result;
     const auto slash = text.find('/');
     if (slash == std::string_view::npos) {
@@ -74,6 +79,7 @@ Technique parse_technique(std::string_view text) {
     const auto colon = text.find(':', slash);
     frequency_key.set(result, parse_value(frequency_key, text.substr(0, slash), text));
     model_key.set(result, parse_value(model_key, text.substr(slash + 1, colon - slash - 1), text));
+    result.own = result.model == Model::own ? own : OwnShader();
     for (auto end = colon; end != std::string_view::npos;) {
         const auto start = end + 1;
         end = text.find(',', start);
@@ -116,7 +122,7 @@ std::string title_of(const Technique &technique) {
 }
 
 Technique nearest_valid(Technique technique) {
-    for (const TechniqueKey &key : technique_settings) {
+    for (const TechniqueKey &key : technique_keys()) {
         if (!refusal(key, technique).empty()) {
             key.set(technique, 0);
         }

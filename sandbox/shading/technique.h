@@ -1,5 +1,6 @@
 #pragma once
 
+#include "shading/own_shader.h"
 #include "shading/technique_rules.h"
 
 #include <array>
@@ -50,14 +51,19 @@ inline constexpr TechniqueValue frequency_values[]{
 };
 inline constexpr auto all_frequencies = enumerators<Frequency>(frequency_values);
 
-/// From the plainest on: reports begin with the last.
-enum class Model { lambert, phong, blinn_phong };
+/// From the plainest on. `own` has no equation here: its text does all that a reflection model and its keys do.
+enum class Model { lambert, phong, blinn_phong, own };
 inline constexpr TechniqueValue model_values[]{
     {"lambert", "Lambert", "diffuse only"},
     {"phong", "Phong", "specular from the mirrored light direction: (R.V)^n"},
     {"blinn-phong", "Blinn-Phong", "specular from the half vector: (N.H)^n"},
+    {"own", "own shading", "the text of --own FILE: your own shader, to be held against the truth", nullptr,
+     rules::needs_own_text},
 };
-inline constexpr auto all_models = enumerators<Model>(model_values);
+/// Those that have an equation, and so a truth: what goes through models goes through these. Reports begin with the
+/// last.
+inline constexpr std::array all_models{Model::lambert, Model::phong, Model::blinn_phong};
+static_assert(all_models.size() + 1 == std::size(model_values), "all but own");
 /// What a reflection model's specular term is made of.
 struct Reflection {
     bool specular;        ///< there is one
@@ -65,7 +71,7 @@ struct Reflection {
     bool scaled_exponent; ///< by the scene's blinn_exponent_scale
 };
 constexpr Reflection reflection(Model model) {
-    constexpr Reflection rows[]{{false, false, false}, {true, false, false}, {true, true, true}};
+    constexpr Reflection rows[]{{false, false, false}, {true, false, false}, {true, true, true}, {false, false, false}};
     static_assert(std::size(rows) == std::size(model_values), "a Reflection for each model");
     return rows[static_cast<int>(model)];
 }
@@ -196,6 +202,7 @@ struct Technique {
     Power power = Power::automatic;
     Normalisation normalisation = Normalisation::none;
     Program program = Program::specialised;
+    OwnShader own{}; ///< of Model::own; no key, so that it is not written with the others
     auto operator<=>(const Technique &) const = default; // NOLINT(modernize-use-nullptr): version 14 errs
 };
 
@@ -268,7 +275,9 @@ std::span<const TechniqueKey> technique_keys();
 
 /// Throws InputError naming the word that is wrong and what was expected; the result is valid.
 Technique parse_technique(std::string_view text);
-/// Only what differs from the defaults: parse_technique(to_string(t)) == t.
+/// `own` is the text of the model `own`, which is refused without one; other models leave it.
+Technique parse_technique_with(const OwnShader &own, std::string_view text);
+/// Only what differs from the defaults: parse_technique_with(t.own, to_string(t)) == t.
 std::string to_string(const Technique &technique);
 /// For people: "per vertex, Phong; normals: model matrix (wrong)".
 std::string title_of(const Technique &technique);
@@ -277,7 +286,7 @@ std::string title_of(const TechniqueKey &key, int value);
 
 /// Why the combination is refused (a key that can have no effect, say); nothing if it is valid.
 std::optional<std::string> why_refused(const Technique &technique);
-/// The same with every setting that is refused reset to its default.
+/// The same with every value that is refused reset to the first of its key.
 Technique nearest_valid(Technique technique);
 /// Can this value change the picture of the scene, the other keys being those of `technique`? Sharp enough to be told
 /// to people: where the answer is no, the reference draws the very picture of the key's default.

@@ -69,6 +69,13 @@ std::string_view needs_exact_distances(const Technique &technique) {
                : needs_attenuation_per_pixel(technique);
 }
 
+std::string_view needs_own_text(const Technique &technique) {
+    if (technique.frequency == Frequency::interpolated_vectors || technique.frequency == Frequency::hybrid) {
+        return "is for flat, per-vertex and per-pixel: other frequencies take the equation apart";
+    }
+    return technique.own ? "" : "needs a text, which --own FILE.glsl names where a command takes it";
+}
+
 std::string_view needs_specialised_program(const Technique &technique) {
     return technique.program == Program::full ? "needs a program without guards, and program=full keeps them" : "";
 }

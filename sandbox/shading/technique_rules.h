@@ -19,6 +19,8 @@ std::string_view needs_specular(const Technique &technique);
 std::string_view needs_half_vector(const Technique &technique);
 std::string_view needs_attenuation_per_pixel(const Technique &technique);
 std::string_view needs_exact_distances(const Technique &technique);
+/// The model `own`: some frequencies, no other key, and a text.
+std::string_view needs_own_text(const Technique &technique);
 std::string_view needs_specialised_program(const Technique &technique);
 
 /// Can a value change the picture of `object`? Where the answer is no, the reference draws it bit for bit as with the

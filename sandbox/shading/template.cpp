@@ -215,9 +215,23 @@ class Expander {
             if (quoted.size() < 3 || quoted.front() != '"' || quoted.back() != '"') {
                 fail(part, "expected #include \"part.glsl\"");
             }
+            if (const auto given = values_.given.find(std::string_view(quoted).substr(1, quoted.size() - 2));
+                given != values_.given.end()) {
+                add_given(given->second, out);
+                return;
+            }
             expand(std::string_view(quoted).substr(1, quoted.size() - 2), &out);
         } else {
             out.push_back({replace_texts(part, part.lines[part.next]), part.origin()});
+        }
+    }
+
+    static void add_given(const StageSource &given, Lines &out) {
+        std::string_view text = given.text;
+        for (const LineOrigin &origin : given.origins) {
+            const std::size_t end = text.find('\n');
+            out.push_back({std::string(text.substr(0, end)), origin});
+            text.remove_prefix(end + 1);
         }
     }
 

@@ -1,5 +1,7 @@
 #include "shading/template_values.h"
 
+#include "shading/own_template.h"
+
 #include <algorithm>
 #include <cctype>
 #include <fmt/format.h>
@@ -165,13 +167,8 @@ void add_sums(TemplateValues &values, const LightPart &light) {
     const LightNeeds &n = light.here;
     const Technique &technique = light.program.technique;
     const bool full = light.program.is_full();
-    std::string times;
-    if (light.features.attenuated() && n.fades) {
-        times += "a * ";
-    }
-    if (n.uses_cone) {
-        times += "s * ";
-    }
+    std::string times = light.features.attenuated() && n.fades ? "a * " : "";
+    times += n.uses_cone ? "s * " : "";
     const std::string lit = full || technique.ambient == AmbientWhere::where_lit ? "lit * " : "";
     std::vector<std::string> faded;
     if (n.adds_attenuated_ambient) {
@@ -435,6 +432,7 @@ TemplateValues template_values(const Features &f, const ProgramNeeds &needs, Sta
     add_program(values, f, needs);
     add_stage(values, f, needs.vertex, "vertex", false);
     add_stage(values, f, needs.fragment, "fragment", true);
+    add_own_shading(values, f, needs);
     for (const LightKind &kind : light_kinds) {
         values.lists["light"].emplace_back(kind.word);
         add_array(values, kind, f, f.lights[kind.type], needs.fragment.lights[kind.type]);

@@ -141,7 +141,8 @@ Technique random_technique(unsigned seed) {
     while (true) {
         Technique technique;
         for (const TechniqueKey &key : technique_keys()) {
-            const int count = static_cast<int>(key.values.size());
+            const bool models = key.name == model_key.name; // own shading needs a text
+            const int count = static_cast<int>(models ? all_models.size() : key.values.size());
             // Frequency, model, power, program anyhow; faults one in three, so that many are seen alone.
             const int value = dice.below(count);
             key.set(technique, key.is_fault() && !dice.one_in(3) ? 0 : value);

@@ -23,7 +23,8 @@ std::set<Pair> pairs_of(const Technique &technique) {
 Technique random_technique(std::mt19937 &random) {
     Technique technique;
     for (const auto &key : technique_keys()) {
-        key.set(technique, static_cast<int>(random() % key.values.size()));
+        const bool models = key.name == model_key.name; // own shading needs a text
+        key.set(technique, static_cast<int>(random() % (models ? all_models.size() : key.values.size())));
     }
     return technique;
 }

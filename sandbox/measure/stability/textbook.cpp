@@ -71,6 +71,7 @@ glm::vec3 checker_color(const Checker &checker, double half_extent, const glm::v
 float highlight_cosine(Model model, const glm::vec3 &n, const glm::vec3 &l, const glm::vec3 &v) {
     switch (model) {
     case Model::lambert:
+    case Model::own:
         break;
     case Model::phong:
         return glm::dot(glm::reflect(-l, n), v);

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <compare>
+#include <memory>
+#include <string>
+
+namespace sandbox {
+
+struct OwnText;
+
+/// The text of the model `own`: a file that somebody wrote, read and accepted; or none. Copies share it; two are equal
+/// where file name and text are.
+class OwnShader {
+  public:
+    OwnShader() = default;
+    /// `file` is what messages call it. Throws InputError "file:line: ..." for what is not accepted (see own_text.h).
+    OwnShader(std::string file, std::string text);
+
+    explicit operator bool() const { return text_ != nullptr; }
+    const OwnText &operator*() const { return *text_; }
+    const OwnText *operator->() const { return text_.get(); }
+
+    friend std::strong_ordering operator<=>(const OwnShader &a, const OwnShader &b);
+    friend bool operator==(const OwnShader &a, const OwnShader &b) { return (a <=> b) == 0; }
+
+  private:
+    std::shared_ptr<const OwnText> text_;
+};
+
+} // namespace sandbox
