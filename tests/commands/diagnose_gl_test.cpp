@@ -55,10 +55,19 @@ TEST_F(DiagnoseGl, ConventionsAreNamed) {
     EXPECT_EQ(conventions({"--display", "srgb"}), R"(["display=srgb"])");
     EXPECT_EQ(conventions({"--exposure", "0.7"}), R"(["factor=0.7"])");
     EXPECT_EQ(conventions({"--set", "lights[1].color=[0,0,0]"}), R"(["lights[1]=0"])");
-    EXPECT_EQ(conventions({"--set", "objects[0].material.shininess=16"}), R"(["exponent=0.5"])");
     EXPECT_EQ(conventions({"--set", "lights[0].attenuation={}", "--set", "lights[1].attenuation={}", "--set",
                            "lights[2].attenuation={}"}),
               R"(["attenuation=none"])");
+}
+
+/// Of every object: the scene's are 48 and 24.
+TEST_F(DiagnoseGl, OtherExponentsAreNamed) {
+    const std::string file =
+        captured("point-light", "per-pixel/phong",
+                 {"--set", "objects[0].material.shininess=24", "--set", "objects[1].material.shininess=12"});
+    const auto json = diagnosed("point-light", file, 1);
+    EXPECT_EQ(json["technique"], "per-pixel/phong");
+    EXPECT_EQ(json["conventions"].dump(), R"(["exponent=0.5"])");
 }
 
 TEST_F(DiagnoseGl, TwoFaultsAreNamedWhereOneIsNotEnough) {

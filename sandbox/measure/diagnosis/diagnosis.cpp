@@ -278,6 +278,13 @@ class Diagnostician {
         show(*explanation.pictures, explanation.reading, found.compared, diagnosis);
     }
 
+    /// The first base that the scene does not refuse.
+    [[nodiscard]] Technique plain_technique() const {
+        const auto base =
+            std::ranges::find_if(bases_, [&](const Technique &t) { return plain_->whole(t).has_value(); });
+        return base == bases_.end() ? Technique{} : *base;
+    }
+
     void tell_nearest(Diagnosis &diagnosis) {
         const auto &nearest = search_.nearest();
         if (!nearest) {
@@ -286,6 +293,9 @@ class Diagnostician {
         diagnosis.technique = nearest->technique;
         diagnosis.conventions = nearest->conventions;
         const ScenePictures pictures(nearest->scene, draw_, search_.samples());
+        if (!pictures.whole(diagnosis.technique)) {
+            diagnosis.technique = plain_technique(); // its samples were drawn in double; no program of the scene can
+        }
         show(pictures, nearest->reading, search_.shown(), diagnosis);
         diagnosis.residual = difference_of(
             observed_levels(request_.observed, nearest->reading),

@@ -1,6 +1,7 @@
 #include "measure/diagnosis/pictures.h"
 
 #include "image/error.h"
+#include "reference/reference.h"
 
 #include <utility>
 
@@ -35,9 +36,20 @@ ScenePictures::ScenePictures(Scene scene, const DiagnosisDraw &draw, const Point
 const Image *ScenePictures::samples(const Technique &technique) {
     const auto [place, is_new] = drawn_.try_emplace(technique);
     if (is_new) {
-        place->second = cheap_picture(draw_, sampled_, technique, samples_.size);
+        Technique full = technique;
+        full.program = Program::full;
+        if (!why_refused(full)) {
+            place->second = drawn(draw_, sampled_, full, samples_.size);
+        }
+        if (!place->second) {
+            place->second = to_frame(render_reference(sampled_, draw_.load(sampled_), technique, samples_.size)).color;
+        }
     }
     return place->second ? &*place->second : nullptr;
+}
+
+std::optional<Image> ScenePictures::cheap_whole(const Technique &technique) const {
+    return cheap_picture(draw_, scene_, technique, samples_.full);
 }
 
 std::optional<Image> ScenePictures::whole(const Technique &technique) const {

@@ -36,9 +36,11 @@ class ScenePictures {
 
     [[nodiscard]] const Scene &scene() const { return scene_; }
     /// The samples of a technique's picture, drawn once and cheaply: by the program that can do every scene, which is
-    /// built once. Null where the scene refuses the technique.
+    /// built once, or in double where that one refuses the technique. Never null.
     const Image *samples(const Technique &technique);
-    /// The whole picture. Nothing where the scene refuses the technique.
+    /// The whole picture by the cheap program.
+    [[nodiscard]] std::optional<Image> cheap_whole(const Technique &technique) const;
+    /// The whole picture by the scene's own program. Nothing where the scene refuses the technique.
     [[nodiscard]] std::optional<Image> whole(const Technique &technique) const;
 
   private:

@@ -15,6 +15,8 @@ namespace {
 constexpr Size trial_size{120, 90};
 /// Levels: a scene that tells all by so many is good enough, whatever others might do.
 constexpr double plenty = 24;
+/// ... and trials after it that tell no more.
+constexpr std::size_t most_in_vain = 8;
 /// A few pixels at an edge tell nothing.
 constexpr std::size_t least_pixels = 6;
 
@@ -112,11 +114,16 @@ std::optional<Proposal> propose(const Technique &technique, const std::vector<Te
     tried.resize(std::min(tried.size(), most_tried_ties));
     Told best;
     const TrialScene *chosen = nullptr;
+    std::size_t since = 0;
     for (const TrialScene &trial : trials) {
+        if (chosen != nullptr && best.least >= plenty && ++since > most_in_vain) {
+            break;
+        }
         Told told = told_by(trial.scene, technique, tried, draw, report);
         if (!told.ties.empty() && (chosen == nullptr || told.better_than(best))) {
             best = std::move(told);
             chosen = &trial;
+            since = 0;
             if (best.ties.size() == tried.size() && best.least >= plenty) {
                 break;
             }

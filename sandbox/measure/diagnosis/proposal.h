@@ -26,7 +26,8 @@ struct Proposal {
 };
 constexpr double told_levels = 3;
 
-/// Draws small pictures of every trial; nothing where no trial tells any tie. At most most_tried_ties are drawn.
+/// Draws small pictures of the trials, until one is good and many after it are no better; nothing where no trial tells
+/// any tie. At most most_tried_ties are drawn.
 std::optional<Proposal> propose(const Technique &technique, const std::vector<Technique> &ties,
                                 const std::vector<TrialScene> &trials, const DiagnosisDraw &draw,
                                 const std::function<void()> &report);

@@ -15,6 +15,9 @@ constexpr int most_samples = 3000;
 /// program rounds otherwise than the scene's own, and may take the other branch where the equation jumps.
 constexpr double strict_share = 0.002, masked_share = 0.06;
 constexpr std::size_t least_allowed = 3;
+/// The cheap program decides about a tie where it leaves no doubt, so that no other has to be built: two numbers less
+/// than a level apart are rounded to levels at most one apart, and two that are two levels apart to no fewer.
+constexpr double surely_tied = 0.98, surely_apart = 2.02;
 /// A reference is worked out for each candidate that is tried with masks.
 constexpr std::size_t most_masked_tries = 6;
 
@@ -159,9 +162,15 @@ std::optional<Found> Search::explain(ScenePictures &pictures, const std::vector<
 
 std::vector<Technique> Search::ties(ScenePictures &pictures, const std::vector<Candidate> &candidates,
                                     const Found &found, const Reading &reading) {
+    Reading clamping = reading;
+    clamping.clamped = true;
     const Levels whole = shown_levels(pictures.whole(found.technique).value(), reading, true);
     const Levels some = shown_levels(*pictures.samples(found.technique), reading, true);
     const PixelMask compared = sampled(found.compared, samples_);
+    std::optional<Levels> cheap_found;
+    if (const auto image = pictures.cheap_whole(found.technique)) {
+        cheap_found = shown_levels(*image, clamping, false);
+    }
     std::vector<Technique> tied;
     const auto add = [&](const std::vector<Technique> &same) {
         std::ranges::copy_if(same, std::back_inserter(tied), [&](const Technique &t) { return t != found.technique; });
@@ -177,6 +186,17 @@ std::vector<Technique> Search::ties(ScenePictures &pictures, const std::vector<C
             difference_of(some, shown_levels(*image, reading, true), compared, tolerated_levels).over >
                 allowed(Strictness::everywhere)) {
             continue;
+        }
+        const auto cheap = pictures.cheap_whole(candidate.technique);
+        if (cheap && cheap_found) {
+            const Levels levels = shown_levels(*cheap, clamping, false);
+            if (difference_of(*cheap_found, levels, found.compared, 0).largest <= surely_tied) {
+                add(candidate.same);
+                continue;
+            }
+            if (difference_of(*cheap_found, levels, found.compared, surely_apart).over > least_allowed) {
+                continue;
+            }
         }
         const auto other = pictures.whole(candidate.technique);
         if (other &&
