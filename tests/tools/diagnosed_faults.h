@@ -18,9 +18,10 @@ struct FaultyPicture {
 };
 
 /// Every technique of `base` with so many faults that can be seen in the scene: by more than two levels from the base
-/// and, of two faults, from every technique with one.
+/// and, of two faults, from every technique with one. Of those that may show, only each `every`-th is drawn.
 std::vector<FaultyPicture> faulty_pictures(const std::string &scene_name, const Scene &scene, const Technique &base,
-                                           std::size_t faults, const DiagnosisDraw &draw, Size size);
+                                           std::size_t faults, const DiagnosisDraw &draw, Size size,
+                                           std::size_t every = 1);
 
 enum class Naming { named, tied, unknown, misnamed };
 Naming naming_of(const Diagnosis &diagnosis, const Technique &truth);

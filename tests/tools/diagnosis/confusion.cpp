@@ -1,6 +1,6 @@
 // The confusion table of `diagnose`: every fault that shows in a scene, drawn as 8 bits, and what it is named as.
 //   confusion FAULTS [SIZE [EVERY [PAIRS]]]
-//     FAULTS 1 or 2; SIZE 320x240; EVERY: only each so-manieth picture [1]; PAIRS: "given" (default): frequency and
+//     FAULTS 1 or 2; SIZE 320x240; EVERY: only each so-manieth fault [1]; PAIRS: "given" (default): frequency and
 //     model are told; "searched": they are not
 // Ten built-in scenes, per-vertex and per-pixel by Phong and Blinn-Phong.
 // Build: ninja confusion. Run from anywhere; needs OpenGL 3.3 without a display.
@@ -37,7 +37,6 @@ int run(std::size_t faults, Size size, std::size_t every, bool searched) {
     double longest = 0;
     double longest_cpu = 0;
     double sum = 0;
-    std::size_t met = 0;
     std::size_t asked = 0;
     auto names = builtin_scenes(assets);
     names.resize(std::min(names.size(), most_scenes));
@@ -45,10 +44,7 @@ int run(std::size_t faults, Size size, std::size_t every, bool searched) {
         const Scene scene = open_scene(name, assets);
         for (const char *base : bases) {
             for (const FaultyPicture &picture :
-                 faulty_pictures(name, scene, parse_technique(base), faults, draw, size)) {
-                if (met++ % every != 0) {
-                    continue;
-                }
+                 faulty_pictures(name, scene, parse_technique(base), faults, draw, size, every)) {
                 const auto start = std::chrono::steady_clock::now();
                 const double cpu = cpu_seconds();
                 const Diagnosis diagnosis = diagnose(
