@@ -36,6 +36,7 @@ const std::map<std::string, Names, std::less<>> inner_rooms_below = {
     {"measure/metrics", {}},
     {"measure/work_precision", {"measure/metrics"}},
     {"measure/stability", {"measure/metrics"}},
+    {"measure/diagnosis", {"measure/metrics"}},
     {"measure/report", {"measure/metrics", "measure/work_precision", "measure/stability"}},
     {"ui/session", {}},
     {"ui/widgets", {"ui/session"}},

@@ -1,19 +1,12 @@
 #include "image/image.h"
 
+#include "image/srgb.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace sandbox {
 namespace {
-
-/// The transfer curve of IEC 61966-2-1.
-double srgb_curve(double linear) {
-    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-}
-
-double inverse_srgb_curve(double encoded) {
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
 
 std::uint8_t to_byte(double value, Display display) {
     const double clamped = std::clamp(value, 0.0, 1.0);

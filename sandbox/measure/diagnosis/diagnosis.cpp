@@ -1,0 +1,358 @@
+#include "measure/diagnosis/diagnosis.h"
+
+#include "measure/diagnosis/linear_fit.h"
+#include "measure/diagnosis/search.h"
+#include "measure/metrics/metrics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <utility>
+
+namespace sandbox {
+namespace {
+
+struct Explanation {
+    Found found;
+    Reading reading;
+    std::shared_ptr<ScenePictures> pictures; ///< of the scene under its conventions
+    std::vector<Convention> conventions;
+    Strictness strictness = Strictness::everywhere;
+};
+
+/// Two faults are sought under so many frequencies and models, the nearest.
+constexpr std::size_t most_bases = 3;
+
+class Diagnostician {
+  public:
+    Diagnostician(const DiagnosisRequest &request, const DiagnosisDraw &draw, const Progress &progress)
+        : request_(request), draw_(draw), progress_(progress),
+          search_(request.scene, request.observed, draw, [this] { report(); }),
+          bases_(base_techniques(request.technique)), resources_(draw.load(request.scene)),
+          plain_(std::make_shared<ScenePictures>(request.scene, draw, search_.samples())),
+          singles_(single_candidates(request.scene, resources_, bases_)) {}
+
+    Diagnosis diagnose() {
+        Diagnosis diagnosis;
+        if (const auto explanation = explain()) {
+            tell(*explanation, diagnosis);
+        } else {
+            tell_nearest(diagnosis);
+        }
+        diagnosis.shown_pixels = static_cast<std::size_t>(std::ranges::count(search_.shown(), 1));
+        diagnosis.candidates = search_.drawn();
+        return diagnosis;
+    }
+
+  private:
+    void report() {
+        ++steps_;
+        constexpr double usual = 1500; // of a picture that needs two faults
+        const double done = static_cast<double>(steps_) / (static_cast<double>(steps_) + usual);
+        if (progress_ && !progress_(done)) {
+            throw Cancelled();
+        }
+    }
+
+    /// Fewest assumptions first: one fault, however the numbers are written; other light; two faults.
+    std::optional<Explanation> explain() {
+        if (std::ranges::count(search_.shown(), 1) == 0) {
+            return std::nullopt;
+        }
+        if (auto explanation = explain_by_one(Strictness::everywhere)) {
+            return explanation;
+        }
+        if (auto explanation = explain_by_one(Strictness::masked)) {
+            // A second fault may hide under the masks: if it explains every pixel, it is owed.
+            auto two = explain_by_two({base_of(explanation->found.technique)}, Strictness::everywhere);
+            return two ? two : explanation;
+        }
+        std::vector<Reading> readings{Reading{}};
+        if (request_.technique) { // else there is too much to search
+            readings.push_back({.encoding = Encoding::srgb});
+        }
+        for (const Reading &reading : readings) {
+            if (auto explanation = explain_by_light(reading)) {
+                return explanation;
+            }
+        }
+        const std::vector<Technique> nearest = nearest_bases();
+        auto explanation = explain_by_two(nearest, Strictness::everywhere);
+        return explanation ? explanation : explain_by_two(nearest, Strictness::masked);
+    }
+
+    std::optional<Explanation> explain_by_one(Strictness strictness) {
+        for (const Reading &reading : all_readings(request_.observed.bytes)) {
+            if (auto found = search_.explain(*plain_, singles_, reading, strictness)) {
+                return Explanation{std::move(*found), reading, plain_, conventions_of(reading), strictness};
+            }
+        }
+        return std::nullopt;
+    }
+
+    std::optional<Explanation> explain_by_two(const std::vector<Technique> &bases, Strictness strictness) {
+        for (const Technique &base : bases) {
+            if (auto found = search_.explain(*plain_, pairs(base), {}, strictness)) {
+                return Explanation{std::move(*found), {}, plain_, {}, strictness};
+            }
+        }
+        return std::nullopt;
+    }
+
+    /// One of bases_.
+    [[nodiscard]] Technique base_of(const Technique &technique) const {
+        return *std::ranges::find_if(bases_, [&](const Technique &base) {
+            return base.frequency == technique.frequency && base.model == technique.model;
+        });
+    }
+
+    /// The bases under which one fault comes nearest to the picture, the nearest first.
+    std::vector<Technique> nearest_bases() {
+        std::vector<std::pair<double, Technique>> ranked;
+        for (const Technique &base : bases_) {
+            double least = INFINITY;
+            for (const Candidate &candidate : singles_) {
+                if (base_of(candidate.technique) == base) {
+                    const auto difference = search_.sampled_difference(*plain_, candidate.technique, {});
+                    least = difference ? std::min(least, difference->rms) : least;
+                }
+            }
+            ranked.emplace_back(least, base);
+        }
+        std::ranges::stable_sort(ranked, {}, &std::pair<double, Technique>::first);
+        ranked.resize(std::min(ranked.size(), most_bases));
+        std::vector<Technique> bases;
+        std::ranges::transform(ranked, std::back_inserter(bases), &std::pair<double, Technique>::second);
+        return bases;
+    }
+
+    /// One edit of the scene, under every base.
+    std::optional<Explanation> explain_by(const Edit &edit, const std::vector<Technique> &bases,
+                                          const Reading &reading) {
+        const auto pictures = std::make_shared<ScenePictures>(edit.scene, draw_, search_.samples());
+        std::vector<Candidate> candidates = single_candidates(edit.scene, resources_, bases);
+        std::erase_if(candidates, [](const Candidate &c) { return c.faults != 0; });
+        std::vector<Convention> conventions = conventions_of(reading);
+        conventions.insert(conventions.end(), edit.conventions.begin(), edit.conventions.end());
+        for (const Strictness strictness : {Strictness::everywhere, Strictness::masked}) {
+            if (auto found = search_.explain(*pictures, candidates, reading, strictness, conventions)) {
+                return Explanation{std::move(*found), reading, pictures, std::move(conventions), strictness};
+            }
+        }
+        return std::nullopt;
+    }
+
+    std::optional<Explanation> explain_by_light(const Reading &reading) {
+        for (const Edit &edit : scene_edits(request_.scene)) {
+            if (auto explanation = explain_by(edit, bases_, reading)) {
+                return explanation;
+            }
+        }
+        for (const LinearParts &parts : linear_parts(request_.scene)) {
+            for (const Technique &base : bases_) {
+                const auto edit = fitted(parts, base, reading);
+                if (!edit || edit->conventions.empty()) {
+                    continue;
+                }
+                if (auto explanation = explain_by(*edit, {base}, reading)) {
+                    return explanation;
+                }
+            }
+        }
+        return explain_by_exponent(reading);
+    }
+
+    /// The parts' factors by least squares over the samples.
+    std::optional<Edit> fitted(const LinearParts &parts, const Technique &base, const Reading &reading) {
+        const Search::Equations equations = search_.equations(reading);
+        std::vector<double> target = equations.light;
+        std::vector<std::vector<double>> columns;
+        const auto column = [&](const Scene &scene) -> std::optional<std::vector<double>> {
+            report();
+            ScenePictures pictures(scene, draw_, search_.samples());
+            const Image *image = pictures.samples(base);
+            if (image == nullptr) {
+                return std::nullopt;
+            }
+            std::vector<double> values;
+            for (const std::size_t i : equations.values) {
+                values.push_back(static_cast<double>(image->pixels[i / 3][static_cast<int>(i % 3)]));
+            }
+            return values;
+        };
+        const auto rest = column(parts.rest);
+        for (const Scene &part : parts.parts) {
+            auto values = column(part);
+            if (!values || !rest) {
+                return std::nullopt;
+            }
+            columns.push_back(std::move(*values));
+        }
+        for (std::size_t i = 0; rest && i < target.size(); ++i) {
+            target[i] -= (*rest)[i];
+        }
+        auto factors = fitted_factors(columns, target);
+        if (!factors) {
+            return std::nullopt;
+        }
+        std::ranges::transform(*factors, factors->begin(), plain_factor);
+        return with_factors(request_.scene, parts, *factors);
+    }
+
+    /// The factor on the exponents is searched: on a coarse ladder, then by golden section around its best rung.
+    std::optional<Explanation> explain_by_exponent(const Reading &reading) {
+        for (const Technique &base : bases_) {
+            if (!reflection(base.model).specular) {
+                continue;
+            }
+            const auto error = [&](double octaves) {
+                ScenePictures pictures(with_exponents(request_.scene, std::exp2(octaves)).scene, draw_,
+                                       search_.samples());
+                const auto difference = search_.sampled_difference(pictures, base, reading);
+                return difference ? difference->rms : INFINITY;
+            };
+            constexpr double rung = 0.5, most = 3;
+            double best = 0;
+            double least = error(0);
+            for (double octaves = -most; octaves <= most; octaves += rung) {
+                if (const double here = error(octaves); here < least) {
+                    least = here;
+                    best = octaves;
+                }
+            }
+            constexpr double hopeless = 6; // levels: other exponents alone do not make that picture
+            if (best == 0 || least > hopeless) {
+                continue;
+            }
+            double low = best - rung;
+            double high = best + rung;
+            constexpr double golden = 0.6180339887498949;
+            for (int i = 0; i < 14; ++i) {
+                const double left = high - golden * (high - low);
+                const double right = low + golden * (high - low);
+                const bool lower = error(left) < error(right);
+                (lower ? high : low) = lower ? right : left;
+            }
+            const double factor = std::exp2((low + high) / 2);
+            for (const double digits : {1.0, 4.0, 100.0, 1000.0}) { // people choose plain numbers
+                const double plain = std::round(factor * digits) / digits;
+                if (plain <= 0 || plain == 1) {
+                    continue;
+                }
+                if (auto explanation = explain_by(with_exponents(request_.scene, plain), {base}, reading)) {
+                    return explanation;
+                }
+            }
+        }
+        return std::nullopt;
+    }
+
+    const std::vector<Candidate> &pairs(const Technique &base) {
+        const auto [place, is_new] = pairs_.try_emplace(base);
+        if (is_new) {
+            place->second = pair_candidates(request_.scene, resources_, {base});
+        }
+        return place->second;
+    }
+
+    void tell(const Explanation &explanation, Diagnosis &diagnosis) {
+        const Found &found = explanation.found;
+        diagnosis.technique = found.technique;
+        diagnosis.conventions = explanation.conventions;
+        diagnosis.residual = found.residual;
+        diagnosis.masked = explanation.strictness == Strictness::masked;
+        std::vector<Candidate> rivals = single_candidates(explanation.pictures->scene(), resources_, bases_);
+        if (found.faults == 2) {
+            const auto &two = pairs(base_of(found.technique));
+            rivals.insert(rivals.end(), two.begin(), two.end());
+        }
+        diagnosis.ties = search_.ties(*explanation.pictures, rivals, found, explanation.reading);
+        const bool right = found.faults == 0 && explanation.conventions.empty();
+        diagnosis.verdict = right ? Verdict::right : diagnosis.ties.empty() ? Verdict::named : Verdict::tied;
+        if (!diagnosis.ties.empty()) {
+            diagnosis.proposal =
+                propose(diagnosis.technique, diagnosis.ties, request_.trials, draw_, [this] { report(); });
+        }
+        show(*explanation.pictures, explanation.reading, found.compared, diagnosis);
+    }
+
+    /// The first base that the scene does not refuse.
+    [[nodiscard]] Technique plain_technique() const {
+        const auto base =
+            std::ranges::find_if(bases_, [&](const Technique &t) { return plain_->whole(t).has_value(); });
+        return base == bases_.end() ? Technique{} : *base;
+    }
+
+    void tell_nearest(Diagnosis &diagnosis) {
+        const auto &nearest = search_.nearest();
+        if (!nearest) {
+            return; // no pixel shows an object
+        }
+        diagnosis.technique = nearest->technique;
+        diagnosis.conventions = nearest->conventions;
+        const ScenePictures pictures(nearest->scene, draw_, search_.samples());
+        if (!pictures.whole(diagnosis.technique)) {
+            diagnosis.technique = plain_technique(); // its samples were drawn in double; no program of the scene can
+        }
+        show(pictures, nearest->reading, search_.shown(), diagnosis);
+        diagnosis.residual = difference_of(
+            observed_levels(request_.observed, nearest->reading),
+            shown_levels(pictures.whole(nearest->technique).value(), nearest->reading, request_.observed.bytes),
+            search_.shown(), tolerated_levels);
+    }
+
+    /// The expected picture, and the pixel that tells most: of an explanation where it is farthest from what is right,
+    /// of an unknown picture where it is farthest from the nearest.
+    void show(const ScenePictures &pictures, const Reading &reading, const PixelMask &compared, Diagnosis &diagnosis) {
+        const bool bytes = request_.observed.bytes;
+        const Levels seen = observed_levels(request_.observed, reading);
+        const Levels named = shown_levels(pictures.whole(diagnosis.technique).value(), reading, bytes);
+        const Technique right = base_of(diagnosis.technique);
+        const Levels truth = shown_levels(plain_->whole(right).value(), {}, bytes);
+        const bool unknown = diagnosis.verdict == Verdict::unknown;
+        const std::size_t i = difference_of(unknown ? seen : truth, named, compared, tolerated_levels).pixel;
+        const auto width = static_cast<std::size_t>(request_.observed.numbers.size.width);
+        TellingPixel &pixel = diagnosis.pixel;
+        pixel.x = static_cast<int>(i % width);
+        pixel.y = static_cast<int>(i / width);
+        for (int c = 0; c < 3; ++c) {
+            const std::size_t at = 3 * i + static_cast<std::size_t>(c);
+            pixel.picture[c] = static_cast<double>(seen[at]);
+            pixel.named[c] = static_cast<double>(named[at]);
+            pixel.right[c] = static_cast<double>(truth[at]);
+        }
+        const Size size = request_.observed.numbers.size;
+        pixel.named_terms = term_shares(pictures.scene(), resources_, diagnosis.technique, size, pixel.x, pixel.y);
+        pixel.right_terms = term_shares(request_.scene, resources_, right, size, pixel.x, pixel.y);
+        diagnosis.expected = Image(size);
+        for (std::size_t p = 0; p < diagnosis.expected.pixels.size(); ++p) {
+            const std::size_t row = p / width;
+            const std::size_t from =
+                reading.flipped ? (static_cast<std::size_t>(size.height) - 1 - row) * width + p % width : p;
+            for (std::size_t c = 0; c < 3; ++c) {
+                diagnosis.expected.pixels[p][static_cast<int>(c)] = named[3 * from + c] / 255;
+            }
+        }
+    }
+
+    const DiagnosisRequest &request_;
+    const DiagnosisDraw &draw_;
+    const Progress &progress_;
+    std::size_t steps_ = 0;
+    Search search_;
+    std::vector<Technique> bases_;
+    std::vector<ObjectResources> resources_;
+    std::shared_ptr<ScenePictures> plain_;
+    std::vector<Candidate> singles_;
+    std::map<Technique, std::vector<Candidate>> pairs_; ///< by their base
+};
+
+} // namespace
+
+Diagnosis diagnose(const DiagnosisRequest &request, const DiagnosisDraw &draw, const Progress &progress) {
+    return Diagnostician(request, draw, progress).diagnose();
+}
+
+} // namespace sandbox
