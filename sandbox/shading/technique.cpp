@@ -10,6 +10,8 @@
 namespace sandbox {
 namespace {
 
+static_assert(all_models.size() + 1 == std::size(model_values), "all but own");
+
 std::string names_of(const auto &rows, std::string_view separator) {
     std::string text;
     for (const auto &row : rows) {

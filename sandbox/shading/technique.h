@@ -63,7 +63,6 @@ inline constexpr TechniqueValue model_values[]{
 /// Those that have an equation, and so a truth: what goes through models goes through these. Reports begin with the
 /// last.
 inline constexpr std::array all_models{Model::lambert, Model::phong, Model::blinn_phong};
-static_assert(all_models.size() + 1 == std::size(model_values), "all but own");
 /// What a reflection model's specular term is made of.
 struct Reflection {
     bool specular;        ///< there is one

@@ -23,7 +23,7 @@ struct TemplateValues {
     ByName<bool> flags;
     ByName<std::string> texts;
     ByName<std::vector<std::string>> lists;     ///< what #each goes through; none is empty
-    ByName<StageSource> given;                  ///< what #include takes as it is, in place of a part of this name
+    ByName<StageSource> given{};                ///< what #include takes as it is, in place of a part of this name
     std::set<std::string, std::less<>> choices; ///< flags that only the running program knows, as uniform bools
 };
 
