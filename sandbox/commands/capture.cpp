@@ -9,7 +9,6 @@
 #include "commands/progress_bar.h"
 #include "commands/session.h"
 #include "image/image_file.h"
-#include "image/system_font.h"
 #include "scene/orbit.h"
 #include "scene/scene_setting.h"
 #include "ui/views/painters.h"
@@ -159,10 +158,7 @@ PictureOptions picture_options(const CaptureFlags &flags) {
     options.samples = one_sample ? 1 : options.samples;
     options.labels = (options.labels || flags.labels) && !flags.no_labels;
     options.language = flags.language.empty() ? options.language : flags.language;
-    if (options.language != languages.front() && !chinese_font()) {
-        note(
-            "no font with Chinese characters is installed (fonts-noto-cjk, fonts-wqy-microhei): labels are in English");
-    }
+    note_missing_font(options.language, "labels");
     options.view = flags.view.empty() ? options.view : flags.view;
     check_positive("--gain", options.gain);
     check_positive("--exposure", options.exposure);

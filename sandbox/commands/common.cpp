@@ -4,9 +4,11 @@
 #include "capture/sidecar.h"
 #include "image/error.h"
 #include "image/image_file.h"
+#include "image/system_font.h"
 #include "scene/scene_file.h"
 #include "scene/scene_setting.h"
 #include "shading/prepared_object.h"
+#include "words/words.h"
 
 #include <algorithm>
 #include <cctype>
@@ -59,6 +61,37 @@ std::optional<PictureOptions> sidecar_of(const std::string &scene) {
         check_positive(scene + ": gain", options->gain);
     }
     return options;
+}
+
+std::string quoted(const std::string &word) {
+    const bool bare = !word.empty() && std::ranges::all_of(word, [](unsigned char c) {
+        return std::isalnum(c) != 0 ||
+               std::string_view("_-./:=,@%+").find(static_cast<char>(c)) != std::string_view::npos;
+    });
+    if (bare) {
+        return word;
+    }
+    std::string out = "'";
+    for (const char c : word) {
+        out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    }
+    return out + "'";
+}
+
+std::string scene_arguments(const CommonOptions &common, const std::string &scene, const std::string &view) {
+    std::string text = quoted(scene);
+    for (const std::string &setting : common.settings) {
+        text += " --set " + quoted(setting);
+    }
+    return text + (view.empty() ? "" : " --view " + quoted(view));
+}
+
+void note_missing_font(std::string_view language, std::string_view what) {
+    if (language != languages.front() && !chinese_font()) {
+        note(fmt::format(
+            "no font with Chinese characters is installed (fonts-noto-cjk, fonts-wqy-microhei): {} are in English",
+            what));
+    }
 }
 
 void refuse_settings(const CommonOptions &common, std::string_view why) {

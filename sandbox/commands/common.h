@@ -32,6 +32,11 @@ Assets shader_assets(const CommonOptions &common);
 /// SCENE with every --set applied and the camera of the view named `view` (empty: the scene's own camera).
 Scene open_scene(const CommonOptions &common, const std::string &scene, const std::string &view = {});
 
+/// A word as a shell takes it: in quotes unless it is plain.
+std::string quoted(const std::string &word);
+/// SCENE as a command takes it, with what changes it: every --set, and --view unless it is empty.
+std::string scene_arguments(const CommonOptions &common, const std::string &scene, const std::string &view);
+
 /// For commands that open no SCENE. Throws InputError if there is a --set; `why` ends its message.
 void refuse_settings(const CommonOptions &common, std::string_view why);
 
@@ -61,6 +66,8 @@ void make_folder(const std::filesystem::path &out);
 void print(std::string_view text);
 /// Writes a line to standard error: "shading-sandbox: text".
 void note(std::string_view text);
+/// Notes that `what` ("labels") are in English, where `language` needs a font that is not installed.
+void note_missing_font(std::string_view language, std::string_view what);
 /// Notes each setting that changes no pixel of the scene.
 void note_no_effect(const Scene &scene, const Technique &technique);
 /// ... of both techniques, and whether they draw the same picture.

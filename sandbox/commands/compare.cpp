@@ -203,12 +203,12 @@ void add_compare(CLI::App &app, CommonOptions &common, Run &run) {
     add_value(command, "--max-abs", "X", flags->max_abs, "Exit 1 if max_abs is above this");
     command.footer(
         "reference: the model of the left technique, per-pixel, every fault off, in double precision; keys of a\n"
-        "technique, frequency and model change that; of own shading, the model must be named. Errors use the pixels "
-        "where both pictures show the\n"
-        "same object, except those at an edge between triangles, at a jump of the equation in the\n"
-        "reference, or where float32 rounding alone decides; each of those counts under the first of these\n"
-        "causes. If a pixel is not finite, all errors are infinite. If no pixel is compared, there are no\n"
-        "errors, and the exit code is 1. Figures, with their units:\n" +
+        "technique, frequency and model change that; of own shading, the model must be named.\n"
+        "Errors use the pixels where both pictures show the same object, except those at an edge between\n"
+        "triangles, at a jump of the equation in the reference, or where float32 rounding alone decides;\n"
+        "each of those counts under the first of these causes. If a pixel is not finite, all errors are\n"
+        "infinite. If no pixel is compared, there are no errors, and the exit code is 1. Figures, with their\n"
+        "units:\n" +
         metric_lines() +
         "  worst_pixel           where max_abs is, or the first pixel that is not finite (x, y)\n"
         "  worst_pixel_rounding  how far the reference's colour moves there when float32 rounds the\n"

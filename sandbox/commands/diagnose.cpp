@@ -35,15 +35,6 @@ Observed read_picture(const std::filesystem::path &path) {
                      bytes.empty() ? "an empty file" : "another kind of file");
 }
 
-/// SCENE as it was typed, with what changes it.
-std::string scene_arguments(const DiagnoseFlags &flags, const CommonOptions &common) {
-    std::string text = flags.scene;
-    for (const std::string &setting : common.settings) {
-        text += " --set " + setting;
-    }
-    return text + (flags.view.empty() ? "" : " --view " + flags.view);
-}
-
 /// The difference, so much stronger that its largest value has the strongest colour.
 void write_residual(const DiagnoseFlags &flags, const Observed &observed, const Diagnosis &diagnosis) {
     const double largest = largest_difference(observed.numbers, diagnosis.expected);
@@ -59,7 +50,8 @@ int run_diagnose(const DiagnoseFlags &flags, const CommonOptions &common) {
     DiagnosisRequest request{
         open_scene(common, flags.scene, flags.view), read_picture(flags.picture), flags.technique, {}};
     with_flag(flags.picture.string(), [&] { check_size(request.observed.numbers.size); });
-    request.trials = trial_scenes(request.scene, scene_arguments(flags, common), scene_assets(common));
+    request.trials =
+        trial_scenes(request.scene, scene_arguments(common, flags.scene, flags.view), scene_assets(common));
 
     DrawingSession session(common);
     ProgressBar bar("diagnose");
@@ -91,10 +83,8 @@ void add_diagnose(CLI::App &app, CommonOptions &common, Run &run) {
     add_value(command, "PICTURE", "", flags->picture,
               ".png (8 bit, as displayed) or .pfm (linear), of any program, of any size, seen by the scene's camera")
         ->required();
-    add_parsed(
-        command, "--technique", "T", flags->technique,
-        [](const std::string &text) { return std::optional(parse_technique(text)); },
-        "Frequency, model and variants that are known; faults in it are dropped [all are searched]");
+    add_parsed(command, "--technique", "T", flags->technique, parse_technique,
+               "Frequency, model and variants that are known; faults in it are dropped [all are searched]");
     add_view_name(command, flags->view);
     command.add_flag("--json", flags->json, "Print JSON");
     add_value(command, "--out", "FILE.png", flags->out, "Write the picture less what explains it best");
@@ -103,9 +93,8 @@ void add_diagnose(CLI::App &app, CommonOptions &common, Run &run) {
         "fault, with one, then other ways to write numbers (sRGB, gamma 2.2, upside down), other light (a factor, a\n"
         "light or a term missing, ambient light doubled, attenuation or cones left out, other exponents), then two\n"
         "faults. An explanation differs from the picture by at most one level of 8 bits; where none does everywhere,\n"
-        "outlines, edges between triangles, jumps of the equation and what rounding decides are left out, as "
-        "`compare`\n"
-        "leaves them out. Few faults come first; where none is needed, the picture is right. Verdicts:\n"
+        "outlines, edges between triangles, jumps of the equation and what rounding decides are left out, as\n"
+        "`compare` leaves them out. Few faults come first; where none is needed, the picture is right. Verdicts:\n"
         "  right    no fault and no convention is needed (exit code 0; else 1)\n"
         "  named    one explanation\n"
         "  tied     several: `ties` are the others, of as few faults, that differ from `technique` by at most one\n"

@@ -6,12 +6,9 @@
 #include "commands/interrupt.h"
 #include "commands/progress_bar.h"
 #include "commands/session.h"
-#include "image/system_font.h"
 #include "render/frame_clock.h"
 #include "ui/views/painters.h"
 
-#include <algorithm>
-#include <cctype>
 #include <fmt/format.h>
 #include <optional>
 #include <utility>
@@ -27,22 +24,6 @@ struct FiguresFlags {
     std::optional<Size> size;
     std::string language; ///< empty: the sidecar's, else English
 };
-
-/// As a shell takes it.
-std::string quoted(const std::string &word) {
-    const bool bare = !word.empty() && std::ranges::all_of(word, [](unsigned char c) {
-        return std::isalnum(c) != 0 ||
-               std::string_view("_-./:=,@%+").find(static_cast<char>(c)) != std::string_view::npos;
-    });
-    if (bare) {
-        return word;
-    }
-    std::string out = "'";
-    for (const char c : word) {
-        out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    }
-    return out + "'";
-}
 
 /// What the figures show: the flags', else the sidecar's, else the scene's own comparison, else Blinn-Phong per vertex
 /// and per pixel.
@@ -74,11 +55,7 @@ FigureRequest request_of(const FiguresFlags &flags, const CommonOptions &common)
     }
     request.pair = pair_of(flags, request.scene);
     request.view = flags.size.value_or(request.view);
-    request.scene_arguments = quoted(flags.scene);
-    for (const std::string &setting : common.settings) {
-        request.scene_arguments += " --set " + quoted(setting);
-    }
-    request.scene_arguments += flags.view.empty() ? "" : " --view " + quoted(flags.view);
+    request.scene_arguments = scene_arguments(common, flags.scene, flags.view);
     for (const auto &[flag, folder] : {std::pair("--assets", common.assets), std::pair("--shaders", common.shaders)}) {
         request.common_arguments += folder.empty() ? "" : fmt::format(" {} {}", flag, quoted(folder.string()));
     }
@@ -90,10 +67,7 @@ FigureRequest request_of(const FiguresFlags &flags, const CommonOptions &common)
 int run_figures(const FiguresFlags &flags, const CommonOptions &common) {
     const FigureRequest request = request_of(flags, common);
     make_folder(flags.out); // before the work, not after it
-    if (request.pair.language != languages.front() && !chinese_font()) {
-        note("no font with Chinese characters is installed (fonts-noto-cjk, fonts-wqy-microhei): pictures are in "
-             "English");
-    }
+    note_missing_font(request.pair.language, "pictures");
     DrawingSession session(common);
     Renderer &renderer = session.renderer();
     Target target(quick_plan().size);
