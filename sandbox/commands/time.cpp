@@ -78,7 +78,7 @@ int run_time(const TimeFlags &flags, const CommonOptions &common) {
     techniques.require_all_used();
     const Scene scene = open_scene(common, flags.scene);
 
-    DrawingSession session(common);
+    DrawingSession session(common, DrawingSession::Own::drawn_here);
     TimedFrames timed(session.renderer(), scene, technique, flags.size);
     timed.draw();
     const auto first = Clock::now().time_since_epoch();

@@ -11,7 +11,8 @@
 namespace sandbox {
 
 BackgroundRenderer::BackgroundRenderer(const Context &window, Assets assets, Assets shaders)
-    : window_(window), assets_(std::move(assets)), shaders_(std::move(shaders)) {}
+    : window_(window), assets_(std::move(assets)), shaders_(std::move(shaders)),
+      own_(own_server_command(assets_, shaders_)) {}
 
 BackgroundRenderer::~BackgroundRenderer() {
     try {
@@ -64,6 +65,7 @@ BackgroundRenderer::Turn::Turn(BackgroundRenderer &shared, const std::stop_token
         current_.emplace(*shared_.context_);
         if (!shared_.renderer_) {
             shared_.renderer_ = std::make_unique<Renderer>(shared_.assets_, ShaderParts(shared_.shaders_));
+            shared_.renderer_->draw_own_by(drawn_by(shared_.own_));
         }
         if (shared_.begun_ == 0) { // a job that lets others draw goes on with the parts that it began with
             shared_.renderer_->reload_changed_parts();

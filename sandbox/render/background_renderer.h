@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/context.h"
+#include "render/own_process.h"
 #include "render/renderer.h"
 #include "scene/assets.h"
 
@@ -63,6 +64,7 @@ class BackgroundRenderer {
 
     const Context &window_;
     Assets assets_, shaders_;
+    OwnProcess own_; ///< draws own shading for the renderer
     std::unique_ptr<WorkerContext> context_;
     std::unique_ptr<Renderer> renderer_; ///< lives in that context
     int begun_ = 0;                      ///< turns that have begun and not ended, those that let others draw too

@@ -20,6 +20,7 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 namespace sandbox {
@@ -146,7 +147,21 @@ struct Renderer::Impl {
         return prepared;
     }
 
+    [[nodiscard]] bool drawn_elsewhere(const Technique &technique) const {
+        return technique.model == Model::own && own_drawing;
+    }
+
+    /// The picture comes from elsewhere; the depth, which hides what is drawn over it, from here.
+    void draw_own(const Scene &scene, const Technique &technique, Target &target) {
+        const Frame frame = own_drawing(scene, technique, target.size(), target.has_object_ids());
+        draw(scene, {.frequency = Frequency::flat, .model = Model::lambert}, canvas_of(target), true);
+        target.write_color(frame.color);
+    }
+
     void draw(const Scene &scene, const Technique &technique, const Canvas &canvas, bool guarded) {
+        if (drawn_elsewhere(technique)) {
+            throw std::logic_error("own shading is drawn elsewhere");
+        }
         const auto [loaded, prepared, deep] = prepare(scene, technique, canvas, guarded);
         const PassState pass(canvas.framebuffer, canvas.size, DepthTest::on);
         clear(scene, canvas);
@@ -161,6 +176,7 @@ struct Renderer::Impl {
         forget_unused();
     }
 
+    OwnDrawing own_drawing; ///< empty: own shading is drawn as everything else
     Resources resources;
     bool grid_is_known = false; ///< measured_window_grid() has been called for them
     ShaderParts parts;
@@ -214,8 +230,14 @@ Renderer::Renderer(Assets assets, ShaderParts parts)
     : impl_(std::make_unique<Impl>(std::move(assets), std::move(parts))) {}
 Renderer::~Renderer() = default;
 
+void Renderer::draw_own_by(OwnDrawing own) { impl_->own_drawing = std::move(own); }
+
 void Renderer::draw(const Scene &scene, const Technique &technique, Target &target) {
-    impl_->draw(scene, technique, canvas_of(target), true);
+    if (impl_->drawn_elsewhere(technique)) {
+        impl_->draw_own(scene, technique, target);
+    } else {
+        impl_->draw(scene, technique, canvas_of(target), true);
+    }
 }
 
 void Renderer::draw_shown(const Scene &scene, const Technique &technique, const DisplayMap &map, ScreenTarget &target) {
@@ -240,6 +262,9 @@ void Renderer::draw_unguarded(const Scene &scene, const Technique &technique, Ta
 void Renderer::finish() { glFinish(); }
 
 Frame Renderer::render(const Scene &scene, const Technique &technique, Size size, bool object_ids) {
+    if (impl_->drawn_elsewhere(technique)) {
+        return impl_->own_drawing(scene, technique, size, object_ids);
+    }
     auto &target = impl_->own_target;
     if (target == nullptr || target->size() != size || target->has_object_ids() != object_ids) {
         target.reset();

@@ -8,12 +8,16 @@
 #include "shading/parts.h"
 #include "shading/technique.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace sandbox {
+
+/// Draws a scene under a technique whose model is `own`; the last argument: with object ids.
+using OwnDrawing = std::function<Frame(const Scene &, const Technique &, Size, bool)>;
 
 /// Draws scenes with OpenGL 3.3 into float targets. Needs a current Context for all its life.
 class Renderer {
@@ -23,6 +27,10 @@ class Renderer {
     ~Renderer();
     Renderer(const Renderer &) = delete;
     Renderer &operator=(const Renderer &) = delete;
+
+    /// From here on own shading is drawn by `own` (see OwnProcess), and never by this renderer's driver. Then no own
+    /// picture is drawn by draw_shown() or draw_unguarded(): std::logic_error.
+    void draw_own_by(OwnDrawing own);
 
     /// Clears `target` and draws `scene` as `technique` says. Programs are built when first needed and kept.
     /// Throws InputError if the technique is refused for this scene (too many varyings), ShaderError if a program does
