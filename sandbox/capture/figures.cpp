@@ -28,7 +28,7 @@ FigureSide side_of(const FigureRequest &request, const FigureDraw &draw, bool ri
     side.scene = with_mesh_factor(request.scene, request.pair.mesh_factors[right ? 1 : 0]);
     side.technique = right ? request.pair.right : request.pair.left;
     side.drawn = draw.picture(side.scene, side.technique, request.view);
-    Technique truth = truth_of(side.technique);
+    Technique truth = truth_of(side.technique, right ? request.pair.left : request.pair.right);
     truth.normalisation = side.technique.normalisation; // a factor of the model, no fault
     side.truth = render_reference(side.scene, draw.load(side.scene), truth, request.view);
     side.errors = compare(side.drawn, side.truth, Flip::without);

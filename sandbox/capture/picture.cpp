@@ -16,6 +16,10 @@
 namespace sandbox {
 namespace {
 
+Technique truth_of_side(const PictureOptions &options, bool right) {
+    return right ? truth_of(options.right, options.left) : truth_of(options.left, options.right);
+}
+
 constexpr std::array<std::string_view, 3> difference_names{"a-b", "a-reference", "b-reference"};
 
 /// In people's words.
@@ -31,12 +35,12 @@ std::vector<std::string> label_texts(const PictureOptions &options) {
     case Layout::single:
         return {options.flip == FlipSide::none ? left + left_mesh : options.flip == FlipSide::a ? a : b};
     case Layout::three_up:
-        return {a, b, truth_label(words, options.left, options.mesh_factors[0])};
+        return {a, b, truth_label(words, truth_of_side(options, false), options.mesh_factors[0])};
     case Layout::difference:
         if (options.difference_of != DifferenceOf::a_b) {
             const bool right = options.difference_of == DifferenceOf::b_truth;
             return {right ? b : a,
-                    truth_label(words, right ? options.right : options.left, options.mesh_factors[right ? 1 : 0])};
+                    truth_label(words, truth_of_side(options, right), options.mesh_factors[right ? 1 : 0])};
         }
         break;
     case Layout::side_by_side:
@@ -88,8 +92,7 @@ std::vector<Image> draw_views(const Scene &scene, const PictureOptions &options,
     };
     const auto right = [&](Size size) { return sampled(painters.draw, right_scene, options.right, size); };
     const auto truth = [&](bool of_right, Size size) {
-        return sampled(painters.truth, of_right ? right_scene : left_scene,
-                       truth_of(of_right ? options.right : options.left), size);
+        return sampled(painters.truth, of_right ? right_scene : left_scene, truth_of_side(options, of_right), size);
     };
     const std::vector<Size> sizes = view_sizes(options.layout, room);
     if (options.layout == Layout::single) {
@@ -119,9 +122,9 @@ ShownViews show_views(const std::vector<Image> &views, const Scene &scene, const
         const bool right = i == 1 || options.flip == FlipSide::b;
         shown.pictures.push_back(to_display(views[i], options.display, options.exposure));
         if (options.masks && i < 2) {
-            const JudgedView judged =
-                painters.judge(with_mesh_factor(scene, options.mesh_factors[right ? 1 : 0]),
-                               right ? options.right : options.left, views[i].size, !right && options.textbook_left);
+            const JudgedView judged = painters.judge(
+                with_mesh_factor(scene, options.mesh_factors[right ? 1 : 0]), right ? options.right : options.left,
+                truth_of_side(options, right), views[i].size, !right && options.textbook_left);
             shown.pictures.back() = mask_picture(shown.pictures.back(), judged.uses);
             shown.masked.push_back(judged.metrics);
         }
@@ -171,7 +174,7 @@ void mark_views(ByteImage &picture, const Scene &scene, const PictureOptions &op
         const double aspect = aspect_of(size);
         std::vector<Arrow> arrows;
         if (const auto at = options.marks.pixel; at && options.marks.vectors) {
-            const Technique truth = truth_of(options.left);
+            const Technique truth = truth_of_side(options, false);
             const auto place = [](double share, int length) {
                 return std::min(static_cast<int>(share * length), length - 1);
             };
@@ -234,7 +237,9 @@ std::string textbook_name(const Technique &technique) {
     return "textbook float32" + name.substr(name.find('/'));
 }
 
-Technique truth_of(const Technique &technique) { return {.frequency = Frequency::per_pixel, .model = technique.model}; }
+Technique truth_of(const Technique &technique, const Technique &other) {
+    return {.frequency = Frequency::per_pixel, .model = technique.model == Model::own ? other.model : technique.model};
+}
 
 Image draw_picture(const Scene &scene, const PictureOptions &options, const Painters &painters) {
     return compose(options.layout, draw_views(scene, options, options.size, painters), options.divider);

@@ -22,7 +22,8 @@ namespace sandbox {
 using DrawView = std::function<Image(const Scene &, const Technique &, Size)>;
 using ProbeView = std::function<std::optional<PixelProbe>(const Scene &, const Technique &, Size, int x, int y)>;
 /// `textbook`: the view is textbook_picture().
-using JudgeView = std::function<JudgedView(const Scene &, const Technique &, Size, bool textbook)>;
+using JudgeView =
+    std::function<JudgedView(const Scene &, const Technique &, const Technique &truth, Size, bool textbook)>;
 /// Who draws what. `draw` and `textbook` draw the overlays on surfaces, too, that the picture has.
 struct Painters {
     DrawView draw;
@@ -35,12 +36,13 @@ struct Painters {
 std::pair<std::string, std::string> names_of(const Words &words, DifferenceOf of);
 /// "not finite", "no pixel differs", "largest 0.25".
 std::string difference_text(const Words &words, double largest);
-/// "truth  Phong, per pixel, in double": over the reference that a technique is judged by, on the same mesh.
-std::string truth_label(const Words &words, const Technique &technique, double mesh_factor = 1);
+/// "truth  Phong, per pixel, in double": over a reference, on a side's mesh.
+std::string truth_label(const Words &words, const Technique &truth, double mesh_factor = 1);
 /// As labels have it: ", mesh x 1/4"; empty for 1.
 std::string mesh_factor_note(const Words &words, double factor);
-/// The technique of the reference that a side is judged by: its model, per pixel, every fault off.
-Technique truth_of(const Technique &technique);
+/// The technique of the reference that a side is judged by: its model or, of own shading, which has no reference, that
+/// of the other side; per pixel, every fault off.
+Technique truth_of(const Technique &technique, const Technique &other);
 
 /// "linear" or "srgb". Throws InputError.
 Display parse_display(std::string_view text);

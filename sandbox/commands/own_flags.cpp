@@ -1,10 +1,5 @@
 #include "commands/own_flags.h"
 
-#include "image/file_io.h"
-#include "shading/own_text.h"
-
-#include <filesystem>
-
 namespace sandbox {
 
 void add_own_files(CLI::App &command, OwnFlags &flags, bool two_sides) {
@@ -14,21 +9,6 @@ void add_own_files(CLI::App &command, OwnFlags &flags, bool two_sides) {
         add_value(command, "--own-left", "FILE.glsl", flags.left, "... of the left technique alone");
         add_value(command, "--own-right", "FILE.glsl", flags.right, "... of the right technique alone");
     }
-}
-
-OwnShader read_own(const std::string &file) {
-    if (file.empty()) {
-        return {};
-    }
-    std::error_code failed;
-    if (!std::filesystem::is_regular_file(file, failed)) {
-        throw InputError("'{}': expected a file of GLSL text", file);
-    }
-    const std::uintmax_t size = std::filesystem::file_size(file, failed);
-    if (size > most_own_bytes) {
-        throw InputError("{}: expected at most {} bytes, got {}", file, most_own_bytes, size);
-    }
-    return {file, read_file(file)};
 }
 
 OwnTechniques::OwnTechniques(const OwnFlags &flags)

@@ -17,9 +17,6 @@ struct OwnFlags {
 /// --own and, for commands with two sides, --own-left and --own-right.
 void add_own_files(CLI::App &command, OwnFlags &flags, bool two_sides);
 
-/// Reads a file of own shading; an empty name: none. Throws InputError.
-OwnShader read_own(const std::string &file);
-
 /// Techniques as a command has them: one list, or two sides.
 class OwnTechniques {
   public:

@@ -1,4 +1,5 @@
 #include "commands/commands.h"
+#include "commands/own_flags.h"
 #include "teach/lesson_read.h"
 #include "ui/run_script.h"
 #include "ui/run_window.h"
@@ -12,10 +13,11 @@ namespace sandbox {
 namespace {
 
 struct ViewFlags {
-    std::string scene = "studio";         ///< or a lesson's file
-    std::string lesson;                   ///< a built-in name or a path; empty: none
-    std::optional<Technique> left, right; ///< absent: a sidecar's, the scene's or the window's own
-    std::string script;                   ///< a file; empty: a person works the window
+    std::string scene = "studio"; ///< or a lesson's file
+    std::string lesson;           ///< a built-in name or a path; empty: none
+    OwnFlags own;
+    std::string left, right; ///< empty: a sidecar's, the scene's or the window's own
+    std::string script;      ///< a file; empty: a person works the window
     std::optional<Size> size;
     std::filesystem::path settings; ///< empty: a window's own, a script's none
     bool no_times = false;
@@ -52,13 +54,15 @@ int run_view(const ViewFlags &flags, const CommonOptions &common) {
         options.lesson = is_lesson_file(id) ? std::filesystem::absolute(id).string() : id;
         open_lesson(options.lesson, options.assets, words_in(languages.front(), options.assets)); // throws if bad
     }
-    if (flags.left) {
-        options.file.left = flags.left;
+    OwnTechniques techniques(flags.own);
+    if (!flags.left.empty()) {
+        options.file.left = techniques.left(flags.left);
         options.file.textbook_left = false;
     }
-    if (flags.right) {
-        options.file.right = flags.right;
+    if (!flags.right.empty()) {
+        options.file.right = techniques.right(flags.right);
     }
+    techniques.require_all_used();
     options.size = flags.size;
     options.run_times = !flags.no_times;
     options.settings_file = !flags.settings.empty() ? flags.settings : flags.script.empty() ? settings_file() : "";
@@ -83,10 +87,11 @@ void add_view(CLI::App &app, CommonOptions &common, Run &run) {
     CLI::App &command = *app.add_subcommand("view", "Open the window (the default without a command)");
     add_value(command, "SCENE", "", flags->scene, "Built-in name, or path of a .json, sidecar, lesson or .obj file")
         ->capture_default_str();
-    add_parsed(command, "--left", "T", flags->left, parse_technique,
-               "Technique of the left view, A [the scene's, else per-vertex/blinn-phong]");
-    add_parsed(command, "--right", "T", flags->right, parse_technique,
-               "Technique of the right view, B [the scene's, else per-pixel/blinn-phong]");
+    add_value(command, "--left", "T", flags->left,
+              "Technique of the left view, A [the scene's, else per-vertex/blinn-phong]");
+    add_value(command, "--right", "T", flags->right,
+              "Technique of the right view, B [the scene's, else per-pixel/blinn-phong]");
+    add_own_files(command, flags->own, true);
     add_value(command, "--lesson", "NAME", flags->lesson,
               "Lesson to show: a built-in name (see: list) or a .json file");
     add_value(command, "--script", "FILE", flags->script,

@@ -38,8 +38,8 @@ template <typename Item> bool receive_items(const Socket &socket, std::vector<It
 bool send_request(const Socket &socket, const OwnRequest &request, double deadline) {
     return send_text(socket, request.scene, deadline) && send_text(socket, request.technique, deadline) &&
            send_text(socket, request.file, deadline) && send_text(socket, request.text, deadline) &&
-           send_value(socket, request.size, deadline) && send_value(socket, request.object_ids, deadline) &&
-           send_value(socket, request.processor_seconds, deadline);
+           send_value(socket, request.picture_shift, deadline) && send_value(socket, request.size, deadline) &&
+           send_value(socket, request.object_ids, deadline) && send_value(socket, request.processor_seconds, deadline);
 }
 
 std::optional<OwnRequest> receive_request(const Socket &socket, double deadline) {
@@ -47,7 +47,8 @@ std::optional<OwnRequest> receive_request(const Socket &socket, double deadline)
     const bool whole =
         receive_text(socket, request.scene, deadline) && receive_text(socket, request.technique, deadline) &&
         receive_text(socket, request.file, deadline) && receive_text(socket, request.text, deadline) &&
-        receive_value(socket, request.size, deadline) && receive_value(socket, request.object_ids, deadline) &&
+        receive_value(socket, request.picture_shift, deadline) && receive_value(socket, request.size, deadline) &&
+        receive_value(socket, request.object_ids, deadline) &&
         receive_value(socket, request.processor_seconds, deadline);
     return whole ? std::optional(std::move(request)) : std::nullopt;
 }

@@ -4,6 +4,7 @@
 #include "render/socket.h"
 
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <optional>
 #include <string>
 
@@ -14,6 +15,7 @@ namespace sandbox {
 struct OwnRequest {
     std::string scene, technique; ///< as files and commands have them
     std::string file, text;       ///< of own shading
+    glm::dvec2 picture_shift{0};  ///< the camera's: no scene file has it
     Size size;
     bool object_ids = false;
     int processor_seconds = 0; ///< that the server may use for it

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstring>
+#include <fmt/format.h>
 #include <utility>
 
 namespace sandbox {
@@ -31,18 +32,19 @@ int OwnProcess::allowed() const {
     return std::min(static_cast<int>(left), limits_.seconds_each);
 }
 
-void OwnProcess::explain_end(int allowed) {
+/// What it was asked for last is why it ended.
+std::string OwnProcess::why_ended(int allowed) {
     constexpr double patience = 1; // it may have closed its socket a moment before it ends
     const ChildProcess::End end = process_->end(patience);
     process_.reset();
     used_before_ += end.processor_seconds;
     used_now_ = 0;
     if (end.signal == SIGXCPU || end.signal == SIGKILL) {
-        throw InputError("{}: took more than {} s of processor time to compile and draw", text_->file, allowed);
+        return fmt::format("{}: took more than {} s of processor time to compile and draw", text_->file, allowed);
     }
-    throw InputError("{}: the process that compiled and drew it {}", text_->file,
-                     end.signal != 0 ? fmt::format("was ended by signal {} ({})", end.signal, strsignal(end.signal))
-                                     : "ended without a picture");
+    return fmt::format("{}: the process that compiled and drew it {}", text_->file,
+                       end.signal != 0 ? fmt::format("was ended by signal {} ({})", end.signal, strsignal(end.signal))
+                                       : "ended without a picture");
 }
 
 Frame OwnProcess::picture(const Scene &scene, const Technique &technique, Size size, bool object_ids) {
@@ -50,6 +52,9 @@ Frame OwnProcess::picture(const Scene &scene, const Technique &technique, Size s
         process_.reset();
         text_ = technique.own;
         used_before_ = used_now_ = 0;
+    }
+    if (failure_ && failure_->scene == scene && failure_->technique == technique) {
+        throw InputError(failure_->why);
     }
     const int seconds = allowed();
     if (seconds < 1) {
@@ -61,13 +66,20 @@ Frame OwnProcess::picture(const Scene &scene, const Technique &technique, Size s
     }
     // By the clock there is time for a machine that does much else; a driver that sleeps for good ends here.
     const double deadline = monotonic_seconds() + 30 + 10.0 * seconds;
-    const OwnRequest request{
-        scene_text(scene), to_string(technique), text_->file, text_->text, size, object_ids, seconds};
+    const OwnRequest request{scene_text(scene),
+                             to_string(technique),
+                             text_->file,
+                             text_->text,
+                             scene.camera.picture_shift,
+                             size,
+                             object_ids,
+                             seconds};
     // What cannot be sent may have been answered: a process that has no OpenGL says so and ends.
     static_cast<void>(send_request(process_->socket(), request, deadline));
     std::optional<OwnResponse> response = receive_response(process_->socket(), size, object_ids, deadline);
     if (!response) {
-        explain_end(seconds);
+        failure_ = {scene, technique, why_ended(seconds)};
+        throw InputError(failure_->why);
     }
     used_now_ = response->processor_seconds;
     switch (response->outcome) {

@@ -38,13 +38,19 @@ class OwnProcess {
 
   private:
     [[nodiscard]] int allowed() const;
-    [[noreturn]] void explain_end(int allowed);
+    [[nodiscard]] std::string why_ended(int allowed);
 
     std::vector<std::string> command_;
     OwnLimits limits_;
     OwnShader text_; ///< the last one drawn
     /// Processor seconds for that text, of processes that have ended and of the one that runs.
     double used_before_ = 0, used_now_ = 0;
+    struct Failure {
+        Scene scene;
+        Technique technique;
+        std::string why;
+    };
+    std::optional<Failure> failure_;        ///< beyond its limits: not tried again
     std::unique_ptr<ChildProcess> process_; ///< null: none runs
 };
 

@@ -62,7 +62,8 @@ OwnResponse failure(OwnResponse::Outcome outcome, const std::string &message) { 
 
 OwnResponse answer(Renderer &renderer, const OwnRequest &request) {
     try {
-        const Scene scene = parse_scene(request.scene, "the scene", "/");
+        Scene scene = parse_scene(request.scene, "the scene", "/");
+        scene.camera.picture_shift = request.picture_shift;
         const Technique technique = parse_technique_with(OwnShader(request.file, request.text), request.technique);
         return {
             OwnResponse::Outcome::picture, renderer.render(scene, technique, request.size, request.object_ids), {}, 0};

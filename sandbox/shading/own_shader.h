@@ -27,4 +27,7 @@ class OwnShader {
     std::shared_ptr<const OwnText> text_;
 };
 
+/// The text of a file; an empty name: none. Throws InputError.
+OwnShader read_own(const std::string &file);
+
 } // namespace sandbox

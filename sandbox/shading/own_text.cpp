@@ -3,7 +3,6 @@
 #include "image/error.h"
 #include "shading/own_calls.h"
 #include "shading/own_interface.h"
-#include "shading/own_shader.h"
 #include "shading/own_structure.h"
 
 #include <algorithm>
@@ -179,20 +178,6 @@ OwnText read_own_text(std::string file, std::string text) {
     }
     own.lines = lines_of(s, budget, static_cast<std::size_t>(std::ranges::count(own.text, '\n')) + 1);
     return own;
-}
-
-OwnShader::OwnShader(std::string file, std::string text)
-    : text_(std::make_shared<const OwnText>(read_own_text(std::move(file), std::move(text)))) {}
-
-std::strong_ordering operator<=>(const OwnShader &a, const OwnShader &b) {
-    if (a.text_ == b.text_) {
-        return std::strong_ordering::equal;
-    }
-    if (!a || !b) {
-        return bool(a) <=> bool(b);
-    }
-    const auto by_text = a->text <=> b->text;
-    return by_text != 0 ? by_text : a->file <=> b->file;
 }
 
 } // namespace sandbox

@@ -10,11 +10,11 @@ namespace sandbox {
 
 namespace {
 
-constexpr double shader_poll_seconds = 0.5;
+constexpr double poll_seconds = 0.5; ///< of files
 
 /// No event, no frame.
-void wait_for_events(const Window &window, bool polls_shaders) {
-    const double longest = std::min(window.seconds_left(), polls_shaders ? shader_poll_seconds : INFINITY);
+void wait_for_events(const Window &window) {
+    const double longest = std::min(window.seconds_left(), window.watches_files() ? poll_seconds : INFINITY);
     if (window.unsettled() || longest <= 0) {
         glfwPollEvents();
     } else if (std::isfinite(longest)) {
@@ -32,7 +32,7 @@ int run_window(const WindowOptions &options) {
     window.step();
     host.show();
     while (!host.close_asked() && !window.quit_asked()) {
-        wait_for_events(window, !options.shaders.folder().empty());
+        wait_for_events(window);
         window.keep_time();
         window.step();
     }

@@ -11,6 +11,23 @@
 
 namespace sandbox {
 
+namespace {
+
+/// A picture that comes finished. Whatever else fails aside fails again where the window draws it, and is said there.
+FinishedPicture finished_picture(const SlowPicture &picture, Renderer &renderer) {
+    try {
+        if (!picture.textbook) {
+            return {renderer.render(picture.scene, picture.technique, picture.size).color, ""};
+        }
+        const auto resources = renderer.resources().load(picture.scene);
+        return {textbook_picture(picture.scene, resources, picture.technique, picture.size).color, ""};
+    } catch (const std::exception &error) {
+        return {{}, error.what()};
+    }
+}
+
+} // namespace
+
 /// False if there can be no second context.
 bool SideFinder::start_job(Task task, Work work) {
     task_ = task;
@@ -72,15 +89,12 @@ void SideFinder::find_times_of(const SidesShown &shown) {
     });
 }
 
-/// Whatever fails here fails again where the window draws it, and is said there.
 void SideFinder::start_making(const SlowPicture &picture) {
     made_ = picture;
-    made_image_.reset();
     const bool started = start_job(Task::making, [this, picture](DrawingTurn &turn, JobReporter & /*reporter*/) {
         Renderer &renderer = turn.renderer();
-        if (picture.textbook) {
-            const auto resources = renderer.resources().load(picture.scene);
-            made_image_ = textbook_picture(picture.scene, resources, picture.technique, picture.size).color;
+        if (picture.finished()) {
+            made_picture_ = finished_picture(picture, renderer);
             return;
         }
         if (picture.shown) { // the driver compiles at the first draw into such a target
@@ -107,7 +121,7 @@ void SideFinder::start_making(const SlowPicture &picture) {
 void SideFinder::end_job(ViewPainter &painter) {
     job_.reset();
     if (made_) {
-        painter.made_aside(*std::exchange(made_, {}), std::exchange(made_image_, {}));
+        painter.made_aside(*std::exchange(made_, {}), std::exchange(made_picture_, {}));
     }
 }
 

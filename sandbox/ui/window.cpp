@@ -10,6 +10,7 @@
 #include "ui/desktop.h"
 #include "ui/frame.h"
 #include "ui/keys.h"
+#include "ui/session/put_texture.h"
 #include "ui/session/written_files.h"
 #include "ui/tabs/bottom_tabs.h"
 #include "ui/views/painters.h"
@@ -86,6 +87,10 @@ void Window::step() {
     }
 }
 
+bool Window::watches_files() const {
+    return polls_shaders_ || session_.document.left.own || session_.document.right.own;
+}
+
 bool Window::busy() const {
     return captures_.busy() || bottom_.busy() || finder_.busy() || painter_.awaited() != nullptr;
 }
@@ -93,8 +98,9 @@ bool Window::busy() const {
 void Window::take_input() {
     const Arrivals arrivals = host_.take_arrivals();
     const bool reloaded = polls_shaders_ && painter_.reload_changed_shaders();
+    const bool own_saved = own_files_.read_saved(session_);
     exposed_ |= arrivals.exposed;
-    frames_left_ = arrivals.any || reloaded ? settling_frames : frames_left_;
+    frames_left_ = arrivals.any || reloaded || own_saved ? settling_frames : frames_left_;
     const News news = std::max(bottom_.take_news(session_), finder_.take_news());
     const int frames = news == News::none       ? 0
                        : news == News::progress ? 1
@@ -217,27 +223,11 @@ void Window::answer_requests() {
 
 void Window::take_dropped(const std::string &path) {
     if (is_image_name(path)) {
-        put_texture(path);
+        attempt(session_, session_.text("message.no_texture"),
+                [&] { put_texture(session_, path, painter_.renderer().resources()); });
     } else {
         session_.requests.open = path;
     }
-}
-
-/// On the object that the Material panel shows, as one step that can be undone.
-void Window::put_texture(const std::filesystem::path &image) {
-    attempt(session_, session_.text("message.no_texture"), [&] {
-        Document document = session_.document;
-        if (session_.object >= document.scene.objects.size()) {
-            throw InputError("the scene has no object to put {} on", image.filename().string());
-        }
-        Object &object = document.scene.objects[session_.object];
-        object.material.texture = std::filesystem::absolute(image).lexically_normal().string();
-        object.material.checker.reset();
-        painter_.renderer().resources().load(document.scene); // throws for what cannot be read
-        show_document(session_, document);
-        session_.message = {
-            session_.text("message.texture", image.filename().string(), file_text(session_.words, object.name)), false};
-    });
 }
 
 /// Throws InputError.
@@ -269,6 +259,11 @@ void Window::open(const std::string &name_or_path) {
     attempt(session_, "", [&] {
         if (is_lesson_file(name_or_path)) {
             return open_lesson(name_or_path, 0);
+        }
+        if (is_own_name(name_or_path)) {
+            open_own(session_, name_or_path);
+            session_.message = {session_.text("message.own_opened", name_or_path), false};
+            return add_recent(settings_, std::filesystem::absolute(name_or_path).string());
         }
         const OpenedFile file = open_file(name_or_path, assets_);
         take_opened(file);

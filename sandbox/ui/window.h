@@ -8,6 +8,7 @@
 #include "ui/host.h"
 #include "ui/notice.h"
 #include "ui/session/open_file.h"
+#include "ui/session/own_files.h"
 #include "ui/session/settings.h"
 #include "ui/side_finder.h"
 #include "ui/tabs/bottom_panel.h"
@@ -57,6 +58,8 @@ class Window {
     ~Window();
     Window(const Window &) = delete;
     Window &operator=(const Window &) = delete;
+    /// Is there a file that may be saved while nothing arrives?
+    [[nodiscard]] bool watches_files() const;
     [[nodiscard]] bool quit_asked() const { return session_.requests.quit; }
     [[nodiscard]] Session &session() { return session_; }
 
@@ -66,7 +69,6 @@ class Window {
     void draw();
     void answer_requests();
     void take_dropped(const std::string &path);
-    void put_texture(const std::filesystem::path &image);
     void open(const std::string &name_or_path);
     void open_lesson(const std::string &name_or_path, std::size_t step);
     [[nodiscard]] std::shared_ptr<const Lesson> read_lesson(const std::string &name_or_path) const;
@@ -86,6 +88,7 @@ class Window {
 
     Assets assets_;
     bool polls_shaders_;
+    OwnFiles own_files_;
     Host &host_;
     DrawnBy drawn_by_;
     Gui gui_;

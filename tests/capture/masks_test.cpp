@@ -47,7 +47,7 @@ TEST(Masks, TheLegendStaysInItsCorner) {
 Image plain(const Scene &, const Technique &, Size size) { return Image(size, glm::vec4(0.4F, 0.8F, 0.2F, 1)); }
 
 /// Of A the left column is masked as an edge; of B the top row as a jump.
-JudgedView judged(const Scene &, const Technique &technique, Size size, bool) {
+JudgedView judged(const Scene &, const Technique &technique, const Technique &, Size size, bool) {
     JudgedView view;
     for (int y = 0; y < size.height; ++y) {
         for (int x = 0; x < size.width; ++x) {

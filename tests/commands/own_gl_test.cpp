@@ -41,6 +41,40 @@ TEST_F(OwnGl, AReferenceOfOwnShadingNeedsAModel) {
         << result.err;
 }
 
+/// Each turn is worth 300 calls of sin(): the loop's budget alone would let a small picture take minutes.
+TEST_F(OwnGl, WhatTakesTooLongIsRefused) {
+    std::string text = "vec3 lighting(vec3 P, vec3 N, vec3 eye)\n{\n    float x = P.x;\n    for (;;) {\n";
+    for (int i = 0; i < 300; ++i) {
+        text += "        x = sin(x + 0.1);\n";
+    }
+    folder.write("slow.glsl", text + "    }\n    return vec3(x);\n}\n");
+    const ProcessResult result =
+        run_sandbox(with_size({"capture", "point-light", "--technique", "per-pixel/own", "--own",
+                               folder.file("slow.glsl"), "--out", folder.file("slow.png")}));
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_NE(result.err.find("slow.glsl: took more than 5 s of processor time to compile and draw"), std::string::npos)
+        << result.err;
+    EXPECT_EQ(folder.read("slow.png"), "");
+}
+
+/// A picture of several samples is of cameras that no scene file can hold.
+TEST_F(OwnGl, SamplesReachTheProcessThatDrawsThem) {
+    const auto picture = [&](const char *samples, const char *name) {
+        EXPECT_EQ(run_sandbox(with_size({"capture", "point-light", "--technique", "per-pixel/own", "--own",
+                                         folder.file("red.glsl"), "--samples", samples, "--out", folder.file(name)}))
+                      .exit_code,
+                  0);
+        return folder.read(name);
+    };
+    EXPECT_NE(picture("1", "one.png"), picture("4", "four.png"));
+}
+
+TEST_F(OwnGl, TheServerIsNotStartedByHand) {
+    const ProcessResult result = run_sandbox({"own-server"}, {}, "< /dev/null");
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_EQ(run_sandbox({"--help"}).out.find("own-server"), std::string::npos);
+}
+
 TEST_F(OwnGl, ASidecarHoldsTheText) {
     const Arguments pair{"--left",          "per-vertex/own", "--right",
                          "per-pixel/phong", "--own-left",     folder.file("red.glsl")};

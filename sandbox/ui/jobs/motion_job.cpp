@@ -42,7 +42,7 @@ std::array<Frame, 3> draw_moment(const SidesShown &shown, Size size, Renderer &r
     frames[0] = shown.textbook_left ? textbook_picture(left, resources, shown.left, size)
                                     : renderer.render(left, shown.left, size, true);
     frames[1] = renderer.render(right, shown.right, size, true);
-    frames[2] = to_frame(render_reference(left, resources, truth_of(shown.left), size, Surface::mesh, progress));
+    frames[2] = to_frame(render_reference(left, resources, shown.truth_of_side(false), size, Surface::mesh, progress));
     return frames;
 }
 

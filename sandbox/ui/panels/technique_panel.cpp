@@ -1,12 +1,16 @@
 #include "ui/panels/technique_panel.h"
+
+#include "shading/own_text.h"
 #include "ui/session/edits.h"
 #include "ui/session/fault_names.h"
+#include "ui/session/own_files.h"
 #include "ui/session/usable_controls.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 #include "words/row_words.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <fmt/format.h>
 #include <imgui.h>
 #include <string>
@@ -35,15 +39,23 @@ bool mark(const TechniqueKey &key, bool set) {
     return ImGui::Checkbox("##mark", &on);
 }
 
+/// A side's technique, with the text that its row "own shading" stands for.
+Technique ready_for_own(const Session &session, bool right) {
+    Technique technique = session.technique(right);
+    technique.own = own_of(session, right);
+    return technique;
+}
+
 void side_cell(Session &session, const TechniqueKey &key, int value, bool right) {
     Technique &technique = session.technique(right);
-    if (!value_open(key, value, session.document.scene, technique)) {
+    if (!value_open(key, value, session.document.scene, ready_for_own(session, right))) {
         return;
     }
     const bool set = key.get(technique) == value;
     const ScopedName side(session, right ? "B" : "A");
     ImGui::PushStyleColor(ImGuiCol_CheckMark, side_color(right));
     if (mark(key, set)) {
+        technique = ready_for_own(session, right);
         set_key(technique, key, set ? 0 : value);
     }
     ImGui::PopStyleColor();
@@ -113,8 +125,8 @@ bool begin_technique_table(const char *id) {
 /// mark on a side that cannot use it.
 void value_row(Session &session, const TechniqueKey &key, int value) {
     const Document &document = session.document;
-    const ValueUse best = std::max(value_use(key, value, document.scene, document.left),
-                                   value_use(key, value, document.scene, document.right));
+    const ValueUse best = std::max(value_use(key, value, document.scene, ready_for_own(session, false)),
+                                   value_use(key, value, document.scene, ready_for_own(session, true)));
     if (best == ValueUse::refused) {
         return;
     }
@@ -158,6 +170,21 @@ void textbook_row(Session &session) {
     }
 }
 
+/// The file of a side that shows own shading, and the way to open one.
+void own_row(Session &session) {
+    for (const bool right : {false, true}) {
+        if (const Technique &side = session.technique(right); side.model == Model::own) {
+            const std::string name = std::filesystem::path(side.own->file).filename().string();
+            const std::string text = session.text("technique.own_file", right ? "B" : "A", name);
+            wrapped_text(side_color(right), text);
+            describe_item(session, right ? "B/file" : "A/file", side.own->file, text);
+        }
+    }
+    if (button(session, session.label("technique.open_own"), session.text("technique.open_own.help"))) {
+        session.requests.ask_open = true;
+    }
+}
+
 } // namespace
 
 void technique_panel(Session &session) {
@@ -173,6 +200,7 @@ void technique_panel(Session &session) {
     heading_row(session.text("technique.variants"));
     setting_rows(session, TechniqueKey::Kind::variant);
     ImGui::EndTable();
+    own_row(session);
 }
 
 void faults_panel(Session &session) {

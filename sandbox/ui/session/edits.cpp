@@ -96,6 +96,7 @@ void keep_valid(Light &light, const Light &before) {
 
 void set_key(Technique &technique, const TechniqueKey &key, int value) {
     key.set(technique, value);
+    technique.own = technique.model == Model::own ? technique.own : OwnShader();
     technique = nearest_valid(technique);
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "capture/picture.h"
 #include "measure/metrics/metrics.h"
 #include "measure/work_precision/run.h"
 #include "scene/mesh_factor.h"
@@ -23,8 +24,14 @@ struct SidesShown {
     MeshFactors mesh_factors{1, 1};
     /// With that side's meshes.
     [[nodiscard]] Scene scene_of(bool right) const { return with_mesh_factor(scene, mesh_factors[right ? 1 : 0]); }
+    /// What a side is judged by.
+    [[nodiscard]] Technique truth_of_side(bool side_b) const {
+        return side_b ? truth_of(right, left) : truth_of(left, right);
+    }
     /// Have both sides the same reference?
-    [[nodiscard]] bool one_truth() const { return left.model == right.model && mesh_factors[0] == mesh_factors[1]; }
+    [[nodiscard]] bool one_truth() const {
+        return truth_of_side(false) == truth_of_side(true) && mesh_factors[0] == mesh_factors[1];
+    }
     bool operator==(const SidesShown &) const = default;
 };
 

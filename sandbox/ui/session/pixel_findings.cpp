@@ -101,9 +101,9 @@ PixelFindings probe_sides(const SidesShown &shown, const SideResources &resource
             return std::nullopt; // the view says why
         }
     };
-    found.sides = {probe(false, shown.left), probe(true, shown.right), probe(false, truth_of(shown.left)),
+    found.sides = {probe(false, shown.left), probe(true, shown.right), probe(false, shown.truth_of_side(false)),
                    std::nullopt};
-    found.sides[3] = shown.one_truth() ? found.sides[2] : probe(true, truth_of(shown.right));
+    found.sides[3] = shown.one_truth() ? found.sides[2] : probe(true, shown.truth_of_side(true));
     return found;
 }
 

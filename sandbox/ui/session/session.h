@@ -15,6 +15,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -114,10 +115,12 @@ struct Session {
     std::shared_ptr<const PixelFindings> pixel; ///< of the probed pixel, while something shows it
     /// Of A and of B: of each object, as last drawn.
     std::array<std::vector<std::size_t>, 2> triangles;
-    bool same_picture = false;         ///< A and B draw the same picture of the scene, as last drawn
-    std::vector<std::string> scenes;   ///< built-in ones, in the order they are taught
-    std::vector<std::string> textures; ///< built-in ones
-    std::vector<ListedLesson> lessons; ///< built-in ones, famous bugs behind the others
+    OwnShader last_own;                              ///< the last text of own shading that was opened
+    std::map<std::string, std::string> own_failures; ///< by file: why its last saved text is not shown
+    bool same_picture = false;                       ///< A and B draw the same picture of the scene, as last drawn
+    std::vector<std::string> scenes;                 ///< built-in ones, in the order they are taught
+    std::vector<std::string> textures;               ///< built-in ones
+    std::vector<ListedLesson> lessons;               ///< built-in ones, famous bugs behind the others
     LessonProgress progress;
     bool answer_shown = false; ///< of the step's question
     WidgetMap widgets;         ///< for scripts

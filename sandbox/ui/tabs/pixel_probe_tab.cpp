@@ -117,7 +117,9 @@ void PixelProbeTab::draw(Session &session, ViewPainter &) {
         const auto &side = (*found)[right ? Probed::b : Probed::a];
         const auto &truth = (*found)[right ? Probed::truth_of_b : Probed::truth_of_a];
         const std::string worst = side && truth ? worst_term(session.words, *side, *truth) : "";
-        const std::string text = worst.empty() ? session.text("probe.right") : worst;
+        const std::string text = !side           ? session.text("probe.no_terms")
+                                 : worst.empty() ? session.text("probe.right")
+                                                 : worst;
         if (right) {
             same_line_if_fits(ImGui::CalcTextSize(text.c_str()).x + ImGui::GetFontSize() * 2);
         } else {

@@ -49,7 +49,9 @@ struct TermAsked {
 void work_out(const TermAsked &asked, const SideResources &resources, const JobReporter &reporter, Curves &curves) {
     for (std::size_t i = 0; i < curves.size() && !reporter.cancelled(); ++i) {
         const bool right = i == 1;
-        const Technique technique = i == 2 ? truth_of(asked.shown.left) : right ? asked.shown.right : asked.shown.left;
+        const Technique technique = i == 2  ? asked.shown.truth_of_side(false)
+                                    : right ? asked.shown.right
+                                            : asked.shown.left;
         try {
             for (const glm::dvec3 &color : term_row(asked.shown.scene_of(right), resources[right ? 1 : 0], technique,
                                                     asked.shown.size, asked.row, asked.term)) {

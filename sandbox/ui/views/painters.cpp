@@ -38,11 +38,12 @@ Painters painters_of(Renderer &renderer, const Overlays &overlays) {
             .probe = [resources](const Scene &scene, const Technique &technique, Size size, int x,
                                  int y) { return probe_pixel(scene, resources(scene), technique, size, x, y); },
             .judge =
-                [resources, &renderer](const Scene &scene, const Technique &technique, Size size, bool of_textbook) {
+                [resources, &renderer](const Scene &scene, const Technique &technique, const Technique &truth,
+                                       Size size, bool of_textbook) {
                     const auto loaded = resources(scene);
                     const Frame drawn = of_textbook ? textbook_picture(scene, loaded, technique, size)
                                                     : renderer.render(scene, technique, size, true);
-                    return judge_view(drawn, render_reference(scene, loaded, truth_of(technique), size));
+                    return judge_view(drawn, render_reference(scene, loaded, truth, size));
                 }};
 }
 

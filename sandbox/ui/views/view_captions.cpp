@@ -219,12 +219,12 @@ void draw_captions(Session &session, const ViewPainter &painter, const Rect &pic
 }
 
 void draw_truth_captions(Session &session, const Rect &picture, bool right) {
-    draw_text_line(
-        session, "Truth/name", picture, picture.low.y - ImGui::GetFrameHeight(),
-        ImGui::GetStyleColorVec4(ImGuiCol_Text),
-        shortened(truth_label(session.words, session.technique(right), session.document.mesh_factors[right ? 1 : 0]),
-                  picture.width() - ImGui::GetFontSize()),
-        false);
+    draw_text_line(session, "Truth/name", picture, picture.low.y - ImGui::GetFrameHeight(),
+                   ImGui::GetStyleColorVec4(ImGuiCol_Text),
+                   shortened(truth_label(session.words, truth_of(session.technique(right), session.technique(!right)),
+                                         session.document.mesh_factors[right ? 1 : 0]),
+                             picture.width() - ImGui::GetFontSize()),
+                   false);
 }
 
 void draw_mask_legend(const Session &session, const ViewPainter &painter, const Rect &picture, bool right,

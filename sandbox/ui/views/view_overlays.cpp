@@ -17,7 +17,7 @@ constexpr ImU32 white = IM_COL32(255, 255, 255, 255);
 void draw_vectors(const PixelFindings &found, const Rect &picture) {
     const double aspect = static_cast<double>(picture.width()) / static_cast<double>(picture.height());
     const PixelProbe &truth = found[Probed::truth_of_a]->probe;
-    for (const Arrow &arrow : arrows_of(found.of.scene, found.of.left.model, truth, aspect)) {
+    for (const Arrow &arrow : arrows_of(found.of.scene, found.of.truth_of_side(false).model, truth, aspect)) {
         draw_arrow(place_of(picture, arrow.from), place_of(picture, arrow.to),
                    IM_COL32(arrow.color[0], arrow.color[1], arrow.color[2], 255), arrow.name);
     }

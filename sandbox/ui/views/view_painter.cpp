@@ -1,6 +1,7 @@
 #include "ui/views/view_painter.h"
 
 #include "image/difference.h"
+#include "image/error.h"
 #include "shading/prepared_object.h"
 #include "ui/views/painters.h"
 
@@ -10,15 +11,28 @@
 
 namespace sandbox {
 
+namespace {
+
+/// Whatever shades the surfaces: their depth hides what is drawn over a finished picture.
+constexpr Frequency plainest = Frequency::flat;
+
+} // namespace
+
+ViewPainter::ViewPainter(const Assets &assets, const Assets &shaders)
+    : own_(own_server_command(assets, shaders)), renderer_(assets, ShaderParts(shaders)),
+      display_pass_(renderer_.parts()) {
+    renderer_.draw_own_by(drawn_by(own_));
+}
+
 /// Nothing where it can be drawn at once, or fails at once.
 std::optional<SlowPicture> ViewPainter::slow_picture(const Side &side, const ViewKey &key,
                                                      const std::optional<DisplayMap> &shown) {
     SlowPicture slow{&side == &sides_[1], key.textbook, key.scene, key.technique, key.size, shown, {},
                      key.overlays,        false};
-    if (key.textbook) {
+    if (key.finished()) {
         ViewKey alone = key;
         alone.overlays = {};
-        return side.textbook && side.textbook->first == alone ? std::nullopt : std::optional(slow);
+        return side.finished && side.finished->asked == alone ? std::nullopt : std::optional(slow);
     }
     if (!waits_ || !side.drawn) {
         return std::nullopt; // the first picture comes as soon as it can
@@ -56,13 +70,20 @@ const SlowPicture *ViewPainter::awaited() const {
     return nullptr;
 }
 
-void ViewPainter::made_aside(const SlowPicture &picture, const std::optional<Image> &image) {
+void ViewPainter::made_aside(const SlowPicture &picture, FinishedPicture finished) {
     built_aside_.insert(picture.programs.begin(), picture.programs.end());
     Side &side = sides_[picture.right ? 1 : 0];
     side.awaited.reset();
-    if (picture.textbook) { // without an image it has failed, and drawing it says why
-        const ViewKey key{picture.scene, picture.technique, picture.size, true, {}, reloads_};
-        side.textbook = {key, image.value_or(Image())};
+    if (!picture.finished()) {
+        return;
+    }
+    const ViewKey key{picture.scene, picture.technique, picture.size, picture.textbook, {}, reloads_};
+    if (finished.failure.empty()) {
+        side.finished = {key, "", key, std::move(finished.image)};
+    } else { // the last good one stays
+        side.finished = side.finished ? side.finished : std::optional(Side::Finished{key, "", key, {}});
+        side.finished->asked = key;
+        side.finished->failure = std::move(finished.failure);
     }
 }
 
@@ -72,11 +93,13 @@ void ViewPainter::draw_light(Side &side, const ViewKey &key, const DisplayMap &d
         side.target.emplace(key.size);
         side.display.emplace(key.size);
     }
-    if (!key.textbook || key.overlays != Overlays{}) { // which need the depth that hides them
+    if (!key.finished()) {
         renderer_.draw(key.scene, key.technique, *side.target);
-    }
-    if (key.textbook) {
-        side.target->write_color(side.textbook->second);
+    } else {
+        if (key.overlays != Overlays{}) {
+            renderer_.draw(key.scene, {.frequency = plainest, .model = Model::lambert}, *side.target);
+        }
+        side.target->write_color(side.finished->image);
     }
     side.plain.reset();
     side.shown.nonfinite = display_side(side, display);
@@ -117,13 +140,20 @@ bool ViewPainter::paint_side(Side &side, const ViewKey &wanted, const DisplayMap
     };
     side.awaited =
         is_drawn(wanted) ? std::nullopt : slow_picture(side, wanted, light ? std::nullopt : std::optional(display));
-    // The textbook's last picture is shown while the next one is made, so that it follows what is dragged.
-    const bool behind = side.awaited && wanted.textbook && side.textbook;
+    // The last finished picture is shown while the next one is made, so that it follows what is dragged, and where the
+    // next one failed.
+    const bool failed = !side.awaited && wanted.finished() && side.finished && !side.finished->failure.empty();
+    const bool behind = (side.awaited || failed) && wanted.finished() && side.finished &&
+                        !side.finished->image.pixels.empty() && side.drawn && side.drawn->finished();
     if (side.awaited && !behind) {
         return false;
     }
-    const ViewKey &key = behind ? side.textbook->first : wanted;
+    ViewKey key = behind ? side.finished->of : wanted;
+    key.overlays = wanted.overlays;
     const bool redraw = !is_drawn(key);
+    if (behind) {
+        side.shown.warning = side.finished->failure;
+    }
     if (!redraw && side.displayed == display) {
         return false;
     }
@@ -134,8 +164,11 @@ bool ViewPainter::paint_side(Side &side, const ViewKey &wanted, const DisplayMap
             side.displayed.reset();
             side.shown.error.clear();
             side.resources = renderer_.resources().load(key.scene);
+            if (failed && !behind) {
+                throw InputError(side.finished->failure);
+            }
             light ? draw_light(side, key, display) : draw_shown(side, key, display);
-            side.shown.warning = renderer_.shader_error();
+            side.shown.warning = behind ? side.finished->failure : renderer_.shader_error();
         }
         if (side.shown.error.empty()) {
             if (side.displayed != display) {
@@ -221,8 +254,8 @@ Image ViewPainter::row(bool right, int y) {
     }
     if (!side.plain) {
         side.plain.emplace(side.drawn->size);
-        if (side.drawn->textbook) {
-            side.plain->write_color(side.textbook->second);
+        if (side.drawn->finished()) {
+            side.plain->write_color(side.finished->image);
         } else {
             renderer_.draw(side.drawn->scene, side.drawn->technique, *side.plain);
         }
@@ -293,7 +326,7 @@ void ViewPainter::paint(const Session &session, Size each) {
                           textbook,
                           on_surfaces(view.drawn_over, view.layout),
                           reloads_};
-        changed |= paint_side(sides_[right ? 1 : 0], key, display, textbook || reads_light(view));
+        changed |= paint_side(sides_[right ? 1 : 0], key, display, key.finished() || reads_light(view));
     }
     if (samples_shown(session) == 1) {
         smooth_.reset();

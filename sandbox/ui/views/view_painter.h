@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/display_pass.h"
+#include "render/own_process.h"
 #include "render/renderer.h"
 #include "ui/session/findings.h"
 #include "ui/session/session.h"
@@ -24,7 +25,12 @@ struct PaintedView {
     std::string warning;    ///< there is one, but a shader does not build
 };
 
-/// A side's picture that would keep the window waiting: a program must be built first, or the processor draws it.
+/// Comes as a finished picture, made aside: a textbook's, by the processor, or own shading's, by a process of its own.
+inline bool comes_finished(bool textbook, const Technique &technique) {
+    return textbook || technique.model == Model::own;
+}
+
+/// A side's picture that would keep the window waiting: a program must be built first, or it comes finished.
 struct SlowPicture {
     bool right = false, textbook = false;
     Scene scene;
@@ -34,6 +40,13 @@ struct SlowPicture {
     std::vector<Features> programs;  ///< those that are missing
     Overlays overlays{};             ///< on surfaces, of linear light
     bool difference = false;         ///< ... in a difference
+    [[nodiscard]] bool finished() const { return comes_finished(textbook, technique); }
+};
+
+/// One that comes finished, or why there is none.
+struct FinishedPicture {
+    Image image;
+    std::string failure;
 };
 
 /// All that a side's float picture depends on.
@@ -45,6 +58,7 @@ struct ViewKey {
     Overlays overlays;     ///< on surfaces
     int shaders = 0;       ///< counts reloads
     bool operator==(const ViewKey &) const = default;
+    [[nodiscard]] bool finished() const { return comes_finished(textbook, technique); }
 };
 using ViewKeys = std::array<ViewKey, 2>; ///< of A and B
 
@@ -57,8 +71,7 @@ struct SmoothPictures {
 /// Draws the two pictures, each only if something in it has changed.
 class ViewPainter {
   public:
-    ViewPainter(Assets assets, Assets shaders)
-        : renderer_(std::move(assets), ShaderParts(std::move(shaders))), display_pass_(renderer_.parts()) {}
+    ViewPainter(const Assets &assets, const Assets &shaders);
 
     /// Updates both sides and, if the layout shows it, their difference. A side whose picture is slow keeps its last
     /// one until that has been made aside.
@@ -72,8 +85,8 @@ class ViewPainter {
     void wait_for_no_program() { waits_ = false; }
     /// What paint() waits for; null: nothing.
     [[nodiscard]] const SlowPicture *awaited() const;
-    /// It has been made aside: its programs are in the driver's cache now; a textbook's picture is `image`.
-    void made_aside(const SlowPicture &picture, const std::optional<Image> &image);
+    /// It has been made aside: its programs are in the driver's cache now; `finished` is one that comes so.
+    void made_aside(const SlowPicture &picture, FinishedPicture finished);
 
     [[nodiscard]] const PaintedView &view(bool right) const { return sides_[right ? 1 : 0].shown; }
     /// All that findings about what is shown depend on, the views being of the size that they were last painted in.
@@ -127,7 +140,13 @@ class ViewPainter {
         std::vector<ObjectResources> resources; ///< held, so that the other side's meshes do not evict them
         std::optional<SlowPicture> awaited;
         [[nodiscard]] bool has_light() const { return light && shown.texture != 0; }
-        std::optional<std::pair<ViewKey, Image>> textbook; ///< the last one made
+        struct Finished {
+            ViewKey asked;       ///< the last one that was made, or failed
+            std::string failure; ///< of it; empty: none
+            ViewKey of;          ///< what `image` shows: the last one that did not fail
+            Image image;         ///< empty: none yet
+        };
+        std::optional<Finished> finished; ///< without overlays
     };
 
     /// A picture made aside, on the graphics card.
@@ -158,6 +177,7 @@ class ViewPainter {
     void paint_difference(const ViewSettings &view, bool changed);
     [[nodiscard]] const Target *target_of(DifferenceOf of, bool second) const;
 
+    OwnProcess own_; ///< draws own shading for the renderer
     Renderer renderer_;
     DisplayPass display_pass_;
     std::array<Side, 2> sides_;

@@ -1,6 +1,7 @@
 #include "ui/views/viewports.h"
 
 #include "render/blit.h"
+#include "ui/session/own_files.h"
 #include "ui/views/difference_scale.h"
 #include "ui/views/light_handles.h"
 #include "ui/views/view_captions.h"
@@ -90,7 +91,7 @@ void draw_error(const Rect &rect, const std::string &text, bool whole) {
 }
 
 std::string why_absent(const Session &session, const PaintedView &view) {
-    return view.error.empty() ? session.text("view.textbook_awaited") : view.error;
+    return view.error.empty() ? session.text("view.awaited") : view.error;
 }
 
 void draw_view(const Session &session, const ViewPainter &painter, bool right, const Rect &rect, float from = 0,
@@ -103,8 +104,9 @@ void draw_view(const Session &session, const ViewPainter &painter, bool right, c
         const Rect part{{rect.low.x + rect.width() * from, rect.low.y}, {rect.low.x + rect.width() * to, rect.high.y}};
         draw_error(part, why_absent(session, view), true);
     }
-    if (!view.warning.empty()) {
-        draw_error(rect, view.warning, false);
+    const std::string own = own_failure(session, right);
+    if (const std::string &warning = own.empty() ? view.warning : own; !warning.empty()) {
+        draw_error(rect, warning, false);
     }
 }
 
