@@ -17,7 +17,7 @@ struct Slot {
     std::vector<WrongWay> wrong;
 };
 
-constexpr const char *all_models = R"(float fading(Light k, vec3 P)
+constexpr const char *template_text = R"(float fading(Light k, vec3 P)
 {
     if (k.type == DIRECTIONAL) {
         return 1.0;
@@ -130,7 +130,7 @@ std::vector<Slot> common_slots() {
           {"specular", "specular-no-material", "material.emission + material.ambient * a + material.diffuse * d + s"},
           {"sum", "clamped",
            "clamp(material.emission + material.ambient * a + material.diffuse * d + material.specular * s, 0.0, "
-           "0.5)"}}},
+           "1.0)"}}},
     };
 }
 
@@ -201,8 +201,10 @@ std::vector<ClassAnswer> answer_class(const Technique &target, const std::vector
     for (std::size_t i = 0; i < count; ++i) {
         const bool right = wrong.empty() || dice() % 5 < 2;
         const auto *fault = right ? nullptr : &wrong[next++ % wrong.size()];
-        ClassAnswer answer{
-            {}, all_models, fault != nullptr ? fault->second->fault : "", fault != nullptr ? fault->second->term : ""};
+        ClassAnswer answer{{},
+                           template_text,
+                           fault != nullptr ? fault->second->fault : "",
+                           fault != nullptr ? fault->second->term : ""};
         for (const Slot &slot : slots) {
             const char *way = chosen(slot.right, dice);
             const std::string name = std::string("@") + slot.name;

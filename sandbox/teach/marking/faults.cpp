@@ -80,7 +80,7 @@ Fault fault_of(const Convention &convention, const Exercise &exercise) {
     const auto *row = std::ranges::find_if(
         conventions_known, [&](const NamedFault &known) { return convention.name.starts_with(known.name); });
     if (row == std::end(conventions_known)) {
-        return {payer({sum}, exercise), Kind::shape, "mark.convention.other", convention.name};
+        return {payer({sum}, exercise), Kind::shape, "mark.convention.other", {}, convention.name};
     }
     const auto equals = convention.name.find('=');
     const std::string value = equals == std::string::npos ? "" : convention.name.substr(equals + 1);
@@ -91,7 +91,7 @@ Fault fault_of(const Convention &convention, const Exercise &exercise) {
     }
     std::string key(row->name.substr(0, row->name.find_last_not_of("=[") + 1));
     std::ranges::replace(key, '=', '.');
-    return {payer(row->terms, exercise), kind, "mark.convention." + key, value};
+    return {payer(row->terms, exercise), kind, "mark.convention." + key, {}, value};
 }
 
 } // namespace
@@ -100,17 +100,17 @@ std::vector<Fault> faults_of(const Technique &technique, const std::vector<Conve
                              const Exercise &exercise) {
     std::vector<Fault> faults;
     if (technique.frequency != exercise.target.frequency) {
-        faults.push_back({payer({specular, diffuse}, exercise), Kind::shape, "mark.fault.frequency", {}});
+        faults.push_back({payer({specular, diffuse}, exercise), Kind::shape, "mark.fault.frequency"});
     }
     if (technique.model != exercise.target.model) {
-        faults.push_back({payer({specular, diffuse}, exercise), Kind::shape, "mark.fault.model", {}});
+        faults.push_back({payer({specular, diffuse}, exercise), Kind::shape, "mark.fault.model"});
     }
     for (int i = 0; i < static_cast<int>(std::size(technique_settings)); ++i) {
         const TechniqueKey &key = technique_settings[i];
         const std::string setting = fmt::format("{}={}", key.name, key.value(technique).name);
         const auto *row = std::ranges::find(settings, setting, &NamedFault::name);
         if (key.get(technique) != 0 && row != std::end(settings)) {
-            faults.push_back({payer(row->terms, exercise), row->kind, {}, {}, i, key.get(technique)});
+            faults.push_back({payer(row->terms, exercise), row->kind, {}, {}, {}, i, key.get(technique)});
         }
     }
     for (const Convention &convention : conventions) {

@@ -49,9 +49,10 @@ std::optional<OwnShader> wrong_text(const WrongLine &line, const Exercise &exerc
 struct Fault {
     MarkTerm term = MarkTerm::diffuse; ///< that pays
     ErrorKind kind = ErrorKind::shape;
-    std::string key;   ///< of its sentence in assets/words; empty: a setting's
-    std::string value; ///< that the sentence takes: a factor
-    int setting = -1;  ///< in technique_settings; -1: none
+    std::string key;     ///< of its sentence in assets/words; empty: a setting's
+    std::string other{}; ///< of another one that cannot be told from it here; empty: none
+    std::string value{}; ///< that the sentence takes: a factor
+    int setting = -1;    ///< in technique_settings; -1: none
     int setting_value = 0;
 };
 

@@ -171,7 +171,7 @@ class Judge {
     [[nodiscard]] bool does_not_respond() const {
         return std::ranges::any_of(std::array{MarkTerm::diffuse, MarkTerm::specular}, [&](MarkTerm term) {
             const TermResult &result = results_[static_cast<std::size_t>(term)];
-            return exercise_.find(term) != nullptr && result.worst && result.worst->kind == ErrorKind::missing;
+            return exercise_.find(term) != nullptr && result.worst && result.worst->kind == ErrorKind::unheeding;
         });
     }
 
@@ -329,6 +329,10 @@ Compared compare_part(const Part &part, const Sides &sides, double tolerance, bo
     }
     Compared found = compared_samples(samples, tolerance);
     found.factor = ratio;
+    if (!ratio && found.kind == ErrorKind::missing && found.state == Compared::State::wrong &&
+        compared_samples(whole_pictures(part.shown.dark, sides), tolerance).state == Compared::State::wrong) {
+        found.kind = ErrorKind::unheeding;
+    }
     if (part.dark_too && !forgive_dark && found.state == Compared::State::right) {
         const Compared in_the_dark = compared_samples(whole_pictures(part.shown.dark, sides), tolerance);
         found = in_the_dark.state == Compared::State::wrong ? in_the_dark : found;

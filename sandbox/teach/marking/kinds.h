@@ -11,6 +11,7 @@ namespace sandbox {
 /// How a term is wrong, as its picture shows it.
 enum class ErrorKind {
     missing,    ///< not there at all
+    unheeding,  ///< shines whatever its intensity is
     negative,   ///< takes light away
     too_bright, ///< by one factor everywhere
     too_dark,
@@ -26,9 +27,9 @@ enum class ErrorKind {
     step,        ///< an edge where the truth has none
     shape        ///< none of these
 };
-inline constexpr std::array<std::string_view, 15> kind_words{
-    "missing",   "negative",   "too-bright", "too-dark",    "color",       "unlit-too", "too-wide", "too-narrow",
-    "elsewhere", "everywhere", "not-finite", "with-camera", "with-object", "step",      "shape"};
+inline constexpr std::array<std::string_view, 16> kind_words{
+    "missing",    "unheeding", "negative",   "too-bright", "too-dark",    "color",       "unlit-too", "too-wide",
+    "too-narrow", "elsewhere", "everywhere", "not-finite", "with-camera", "with-object", "step",      "shape"};
 
 /// Of pixels that are compared: what the answer has, and the truth. Both have as many; `tolerance` is the least
 /// difference that shows.

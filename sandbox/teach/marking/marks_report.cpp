@@ -26,7 +26,8 @@ std::string name_of(const Fault &fault) {
         const TechniqueKey &key = technique_settings[fault.setting];
         return fmt::format("{}={}", key.name, key.values[static_cast<std::size_t>(fault.setting_value)].name);
     }
-    const std::string name = fault.key.substr(fault.key.find('.', fault.key.find('.') + 1) + 1);
+    const auto last_part = [](const std::string &key) { return key.substr(key.find('.', key.find('.') + 1) + 1); };
+    const std::string name = last_part(fault.key) + (fault.other.empty() ? "" : " or " + last_part(fault.other));
     return plain_text(fault.value.empty() || name.ends_with(fault.value) ? name : name + "=" + fault.value);
 }
 

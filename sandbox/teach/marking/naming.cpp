@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <glm/common.hpp>
 
 namespace sandbox {
@@ -67,7 +68,7 @@ bool WrongLines::explains(const WrongLine &line, MarkTerm term, PictureStore &an
     if (term == MarkTerm::sum) {
         return explains_all(line, answer);
     }
-    const ComparedPixels compared = [this](const Scene &scene) -> const auto & { return truth_.compared(scene); };
+    const ComparedPixels compared = truth_.masks();
     const double tolerance = exercise_.find(term)->tolerance;
     bool told = false;
     for (const Unit &unit : units_of(exercise_, term)) {
@@ -93,16 +94,43 @@ bool WrongLines::explains_all(const WrongLine &line, PictureStore &answer) {
            });
 }
 
-const WrongLine *WrongLines::explaining(const TermResult &result, PictureStore &answer) {
+bool WrongLines::agree_in_the_dark(const WrongLine &line, MarkTerm term, PictureStore &answer) {
+    return std::ranges::all_of(units_of(exercise_, term), [&](const Unit &unit) {
+        return std::ranges::all_of(unit.parts,
+                                   [&](const Part &part) { return agree(part.shown.dark, answer, *pictures(line)); });
+    });
+}
+
+std::vector<const WrongLine *> WrongLines::explaining(MarkTerm term, const MarkTerms &wrong, PictureStore &answer) {
+    struct Merit {
+        std::size_t explained = 0;
+        bool in_the_dark = false;
+        int terms_spared = 0;
+        auto operator<=>(const Merit &) const = default;
+    };
+    Merit most;
+    std::vector<const WrongLine *> best;
     for (const WrongLine &line : wrong_lines()) {
-        if (std::ranges::count(line.terms.terms(), result.term) == 0) {
+        const auto terms = line.terms.terms();
+        if (std::ranges::count(terms, term) == 0 || !explains(line, term, answer)) {
             continue;
         }
-        if (explains(line, result.term, answer)) {
-            return &line;
+        Merit merit;
+        merit.explained = static_cast<std::size_t>(std::ranges::count_if(terms, [&](MarkTerm other) {
+            return wrong.contains(other) && (other == term || explains(line, other, answer));
+        }));
+        merit.in_the_dark = agree_in_the_dark(line, term, answer);
+        merit.terms_spared = -static_cast<int>(terms.size());
+        if (best.empty() || merit > most) {
+            best.clear();
+            most = merit;
+        }
+        const bool told = std::ranges::any_of(best, [&](const WrongLine *other) { return other->id == line.id; });
+        if (merit == most && !told) {
+            best.push_back(&line);
         }
     }
-    return nullptr;
+    return best;
 }
 
 } // namespace sandbox

@@ -18,15 +18,17 @@ class WrongLines {
     /// All must outlive this.
     WrongLines(const Exercise &exercise, const MarkDraw &draw, Truth &truth);
 
-    /// The first line that explains the term; nothing where none does.
-    const WrongLine *explaining(const TermResult &result, PictureStore &answer);
+    /// The lines that explain a term as well as each other: those that explain most of the wrong terms, among them
+    /// those that touch fewest. Empty where none does.
+    std::vector<const WrongLine *> explaining(MarkTerm term, const MarkTerms &wrong, PictureStore &answer);
+    bool explains(const WrongLine &line, MarkTerm term, PictureStore &answer);
     /// Is the answer's picture of every judged scene that of the line?
     bool explains_all(const WrongLine &line, PictureStore &answer);
 
   private:
     PictureStore *pictures(const WrongLine &line);
+    bool agree_in_the_dark(const WrongLine &line, MarkTerm term, PictureStore &answer);
     bool agree(const Scene &scene, PictureStore &answer, PictureStore &line);
-    bool explains(const WrongLine &line, MarkTerm term, PictureStore &answer);
 
     const Exercise &exercise_;
     const MarkDraw &draw_;

@@ -71,6 +71,9 @@ class Sentences {
         if (worst.kind == ErrorKind::not_finite) {
             return words_.format("mark.where_not_finite", title, scene, worst.x, worst.y);
         }
+        if (worst.kind == ErrorKind::unheeding) {
+            return words_.format("mark.where_unheeding", title, scene, worst.x, worst.y);
+        }
         const bool factor = worst.factor;
         return words_.format(factor ? "mark.where_factor" : "mark.where", title, scene, worst.x, worst.y,
                              factor ? number(worst.answer.x) : color(worst.answer),
@@ -86,7 +89,8 @@ class Sentences {
     }
     [[nodiscard]] std::string fault_text(const Fault &fault) const {
         if (fault.setting < 0) {
-            return words_.format(fault.key, plain_text(fault.value));
+            const std::string text = words_.format(fault.key, plain_text(fault.value));
+            return fault.other.empty() ? text : words_.format("mark.either", text, words_.text(fault.other));
         }
         const TechniqueKey &key = technique_settings[fault.setting];
         return words_.format("mark.setting", title_of(words_, key), look_for(words_, key, fault.setting_value));

@@ -21,6 +21,9 @@ class Truth {
     [[nodiscard]] PictureStore &pictures() { return pictures_; }
     /// Of a scene, what `compare` compares: edges, jumps, silhouettes and what rounding decides are left out.
     const std::vector<std::uint8_t> &compared(const Scene &scene);
+    [[nodiscard]] ComparedPixels masks() {
+        return [this](const Scene &scene) -> const std::vector<std::uint8_t> & { return compared(scene); };
+    }
 
   private:
     Image draw_truth(const Scene &scene);
