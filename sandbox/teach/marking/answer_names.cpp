@@ -53,14 +53,15 @@ std::string lower(std::string text) {
     return text;
 }
 
-/// Letters, digits, - and _ of ASCII, and what is seen of other scripts.
+/// Letters, digits, -, _ and single dots of ASCII, and what is seen of other scripts.
 std::string safe(std::string_view name) {
     std::string out;
     while (!name.empty()) {
         const Character character = first_character(name);
         const std::size_t length = std::max<std::size_t>(character.length, 1);
         const auto c = static_cast<unsigned char>(name.front());
-        const bool plain = character.length == 1 && (std::isalnum(c) != 0 || c == '-' || c == '_');
+        const bool plain = character.length == 1 && (std::isalnum(c) != 0 || c == '-' || c == '_' ||
+                                                     (c == '.' && !out.empty() && out.back() != '.'));
         const bool other = character.length > 1 && !is_hidden(character.code);
         const std::string taken = plain || other ? std::string(name.substr(0, length)) : "_";
         if (out.size() + taken.size() > longest_page) {
@@ -71,7 +72,7 @@ std::string safe(std::string_view name) {
     }
     // "-" begins an option; devices of old systems, and this program's own pages, keep their names.
     static const std::set<std::string> taken{"con", "prn", "aux", "nul", "index"};
-    const std::string low = lower(out);
+    const std::string low = lower(out.substr(0, out.find('.')));
     const bool port = low.size() == 4 && (low.starts_with("com") || low.starts_with("lpt"));
     return out.empty() || out.front() == '-' || taken.contains(low) || port ? "_" + out : out;
 }

@@ -10,6 +10,9 @@
 namespace sandbox {
 namespace {
 
+/// All pictures of one answer; those of a right one take less than a tenth of it.
+constexpr double most_milliseconds = 4000;
+
 Technique own_technique(const Exercise &exercise, const OwnShader &text) {
     return {.frequency = exercise.target.frequency, .model = Model::own, .own = text};
 }
@@ -53,9 +56,18 @@ struct Marker::Impl {
 
     Mark mark_own(const OwnShader &text) {
         const Technique technique = own_technique(exercise, text);
-        PictureStore answer([&](const Scene &scene) { return draw.own(scene, technique, exercise.size, false).color; });
+        double milliseconds = 0;
+        const auto drawn = [&](const Scene &scene, Size size) {
+            const Frame frame = draw.own(scene, technique, size, false);
+            milliseconds += frame.milliseconds;
+            if (milliseconds > most_milliseconds) {
+                throw InputError("its pictures take more than {:g} s to draw", most_milliseconds / 1000);
+            }
+            return frame.color;
+        };
+        PictureStore answer([&](const Scene &scene) { return drawn(scene, exercise.size); });
         Mark mark;
-        mark.student = draw.own(exercise.shown_scene(), technique, shown_size(), false).color;
+        mark.student = drawn(exercise.shown_scene(), shown_size());
         mark.truth = truth_shown();
         mark.judgement = judge(exercise, sides(answer));
         if (!all_right(mark.judgement)) {

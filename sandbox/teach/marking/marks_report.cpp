@@ -71,7 +71,7 @@ std::string marks_json(const Exercise &exercise, std::span<const MarkedAnswer> a
                        {"points", mark.unknown ? ordered_json() : ordered_json(mark.judgement.points(exercise))},
                        {"terms", std::move(terms)},
                        {"faults", std::move(faults)},
-                       {"refused", mark.refused.empty() ? ordered_json() : ordered_json(plain_text(mark.refused))},
+                       {"refused", !mark.refused.empty()},
                        {"said", answer.said}});
     }
     const ordered_json json{

@@ -18,6 +18,17 @@ std::string scene_words(const Words &words, const ExerciseScene &scene) {
                           : words.format("mark.scene", file_text(words, scene.name));
 }
 
+/// A compiler's messages may be long, and have a line each.
+std::string on_one_line(std::string text) {
+    constexpr std::size_t longest = 300;
+    text.resize(std::min(text.size(), text.find_last_not_of('\n') + 1));
+    if (text.size() > longest) {
+        text = text.substr(0, longest) + "...";
+    }
+    std::ranges::replace(text, '\n', ' ');
+    return plain_text(text);
+}
+
 class Sentences {
   public:
     Sentences(const Words &words, const Exercise &exercise, const Mark &mark, int hints)
@@ -28,20 +39,22 @@ class Sentences {
         if (result.spared) {
             return words_.format("mark.spared", title);
         }
-        if (result.units == 0) {
+        if (result.units == 0 || !result.worst) {
             return unjudged(title, result.term);
         }
-        if (!result.worst) {
-            return title;
-        }
-        std::string text = where(title, *result.worst) + words_.text("mark.stop");
+        const WorstPixel &worst = *result.worst;
+        std::string text = where(title, worst) + words_.text("mark.stop");
         const Fault *fault = fault_of(result.term);
-        if (hints_ >= 2) {
-            text += kind(result.term, fault != nullptr ? fault->kind : result.worst->kind);
+        const bool told = worst.kind == ErrorKind::not_finite || worst.kind == ErrorKind::unheeding;
+        if (hints_ >= 2 && !told) {
+            const bool missing = worst.kind == ErrorKind::missing;
+            text +=
+                kind(result.term, fault != nullptr && !missing ? fault->kind : worst.kind) + words_.text("mark.space");
         }
         if (hints_ >= 3 && fault != nullptr) {
-            text += words_.text("mark.space") + fault_text(*fault);
+            text += fault_text(*fault);
         }
+        text.resize(text.find_last_not_of(' ') + 1);
         return text;
     }
 
@@ -75,9 +88,10 @@ class Sentences {
             return words_.format("mark.where_unheeding", title, scene, worst.x, worst.y);
         }
         const bool factor = worst.factor;
+        const Size size = mark_.of_picture ? mark_.student.size : exercise_.size;
         return words_.format(factor ? "mark.where_factor" : "mark.where", title, scene, worst.x, worst.y,
                              factor ? number(worst.answer.x) : color(worst.answer),
-                             factor ? number(worst.truth.x) : color(worst.truth));
+                             factor ? number(worst.truth.x) : color(worst.truth), size.width, size.height);
     }
     [[nodiscard]] std::string kind(MarkTerm term, ErrorKind kind) const {
         std::string word(kind_words[static_cast<std::size_t>(kind)]);
@@ -105,7 +119,7 @@ std::string title_of(const Words &words, MarkTerm term) {
 
 std::vector<std::string> sentences(const Words &words, const Exercise &exercise, const Mark &mark, int hints) {
     if (!mark.refused.empty()) {
-        return {words.format("mark.refused", plain_text(mark.refused))};
+        return {words.format("mark.refused", on_one_line(mark.refused))};
     }
     if (mark.unknown) {
         return {words.text("mark.unknown")};

@@ -37,6 +37,7 @@ constexpr WrongLine lines[]{
      ambient_light,
      "light.color * light.ambient * max(n_dot_l, 0.0) *"},
 
+    {"diffuse-missing", {diffuse}, Kind::missing, "material.diffuse * diffuse", "0.0 * diffuse"},
     {"no-max", {diffuse}, Kind::negative, max_n_dot_l, "n_dot_l"},
     {"abs", {diffuse}, Kind::unlit_too, max_n_dot_l, "abs(n_dot_l)"},
     {"light-reversed",
