@@ -38,6 +38,8 @@ const std::map<std::string, Names, std::less<>> inner_rooms_below = {
     {"measure/stability", {"measure/metrics"}},
     {"measure/diagnosis", {"measure/metrics"}},
     {"measure/report", {"measure/metrics", "measure/work_precision", "measure/stability"}},
+    {"teach/files", {}},
+    {"teach/marking", {"teach/files"}},
     {"ui/session", {}},
     {"ui/widgets", {"ui/session"}},
     {"ui/script", {}},

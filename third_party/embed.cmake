@@ -1,6 +1,6 @@
 # Writes OUT: the files of ROOT/shaders and ROOT/assets as constant bytes (scene/embedded.h declares them).
 file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/shaders/*.glsl ${ROOT}/assets/scenes/*.json
-     ${ROOT}/assets/lessons/*.json ${ROOT}/assets/gallery/*.json ${ROOT}/assets/words/*.json ${ROOT}/assets/textures/*.png ${ROOT}/assets/models/*.obj
+     ${ROOT}/assets/lessons/*.json ${ROOT}/assets/gallery/*.json ${ROOT}/assets/exercises/*.json ${ROOT}/assets/words/*.json ${ROOT}/assets/textures/*.png ${ROOT}/assets/models/*.obj
      ${ROOT}/assets/stability/*.obj ${ROOT}/assets/stability/*.json ${ROOT}/assets/page/*)
 list(SORT files)
 set(arrays "")

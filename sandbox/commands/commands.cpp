@@ -12,11 +12,12 @@ namespace sandbox {
 /// command's name.
 using AddCommand = void(CLI::App &app, CommonOptions &common, Run &run);
 AddCommand add_list, add_capture, add_reference, add_compare, add_time, add_report, add_stability, add_lesson,
-    add_figures, add_own, add_own_server, add_diagnose, add_glsl, add_view;
+    add_figures, add_own, add_own_server, add_diagnose, add_mark, add_glsl, add_view;
 
 void add_commands(CLI::App &app, CommonOptions &common, Run &run) {
-    for (AddCommand *add : {add_list, add_capture, add_reference, add_compare, add_time, add_report, add_stability,
-                            add_lesson, add_figures, add_own, add_own_server, add_diagnose, add_glsl, add_view}) {
+    for (AddCommand *add :
+         {add_list, add_capture, add_reference, add_compare, add_time, add_report, add_stability, add_lesson,
+          add_figures, add_own, add_own_server, add_diagnose, add_mark, add_glsl, add_view}) {
         add(app, common, run);
     }
 }

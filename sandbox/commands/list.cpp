@@ -4,6 +4,7 @@
 #include "scene/scene_file.h"
 #include "shading/technique.h"
 #include "teach/lesson_read.h"
+#include "teach/marking/exercise_read.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -33,6 +34,18 @@ ordered_json list_lessons(const std::vector<Lesson> &all) {
         }
     }
     return lessons;
+}
+
+ordered_json list_exercises(const std::vector<Exercise> &all) {
+    ordered_json exercises = ordered_json::array();
+    for (const Exercise &exercise : all) {
+        exercises.push_back({{"name", exercise.name},
+                             {"title", exercise.title.text},
+                             {"about", exercise.about.text},
+                             {"target", to_string(exercise.target)},
+                             {"points", exercise.points()}});
+    }
+    return exercises;
 }
 
 ordered_json list_values(const TechniqueKey &key) {
@@ -84,6 +97,7 @@ std::string human_text(const ordered_json &all) {
     std::string out = section("Scenes", table(all["scenes"], "description", 2)) +
                       section("Lessons", table(all["lessons"], "title", 2)) +
                       section("Famous bugs", table(all["bugs"], "about", 2)) +
+                      section("Exercises", table(all["exercises"], "about", 2)) +
                       "Techniques: FREQUENCY/MODEL[:key=value[,key=value]], the first value of a key is its default\n" +
                       section("  Frequencies", table(techniques["frequencies"], "doc", 4)) +
                       section("  Models", table(techniques["models"], "doc", 4)) + "  Keys\n";
@@ -106,6 +120,7 @@ int run_list(const ListFlags &flags, const CommonOptions &common) {
                            {"scenes", list_scenes(assets)},
                            {"lessons", list_lessons(builtin_lessons(assets, words))},
                            {"bugs", list_lessons(builtin_bugs(assets, words))},
+                           {"exercises", list_exercises(builtin_exercises(assets, words))},
                            {"techniques", list_techniques()},
                            {"stability", list_stability_cases(assets)}};
     print(flags.json ? all.dump(2) + "\n" : human_text(all));
@@ -115,8 +130,8 @@ int run_list(const ListFlags &flags, const CommonOptions &common) {
 } // namespace
 
 void add_list(CLI::App &app, CommonOptions &common, Run &run) {
-    CLI::App &command =
-        *app.add_subcommand("list", "List built-in scenes, lessons, famous bugs, techniques and stability cases");
+    CLI::App &command = *app.add_subcommand(
+        "list", "List built-in scenes, lessons, famous bugs, exercises, techniques and stability cases");
     const auto flags = std::make_shared<ListFlags>();
     command.add_flag("--json", flags->json, "Print JSON");
     run_when_chosen(command, common, run, flags, run_list);

@@ -5,6 +5,7 @@
 #include "scene/overlays.h"
 #include "scene/scene.h"
 #include "shading/technique.h"
+#include "teach/files/text.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -15,16 +16,6 @@
 
 /// A lesson: steps of text and picture, each with claims that are measured on the spot. lesson_format.h holds the keys.
 namespace sandbox {
-
-/// What a person reads, in the language that the lesson was read in.
-struct Text {
-    std::string text;
-};
-
-/// JSON as it stands in the file: a name, or an object that another reader takes.
-struct JsonText {
-    std::string json; ///< empty: the key is absent
-};
 
 /// A picture that a claim is about, or is judged by.
 struct PictureSource {

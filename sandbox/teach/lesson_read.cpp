@@ -1,11 +1,11 @@
 #include "teach/lesson_read.h"
 
 #include "image/file_io.h"
-#include "image/picture_size.h"
 #include "scene/scene_file.h"
 #include "scene/scene_setting.h"
-#include "scene/table_read.h"
 #include "teach/claims.h"
+#include "teach/files/scene_source.h"
+#include "teach/files/text_read.h"
 #include "teach/lesson_format.h"
 
 #include <algorithm>
@@ -23,59 +23,16 @@ using nlohmann::json;
 constexpr std::string_view lessons_folder = "lessons/", bugs_folder = "gallery/";
 static_assert(overlay_kinds.size() == 4, "format_of<LessonStep> has a row for each");
 
-/// Runs `work`; what it says is wrong is said with the file and the key.
-template <typename Work> auto at(const std::string &place, Work work) -> decltype(work()) {
-    try {
-        return work();
-    } catch (const InputError &error) {
-        throw InputError("{}: {}", place, error.what());
-    }
-}
-
-class LessonReader : public TableReader<LessonReader, json> {
+class LessonReader : public TextReader<LessonReader, json> {
   public:
-    LessonReader(const std::string &file, const Words &words) : TableReader(file), words_(words) {}
+    LessonReader(const std::string &file, const Words &words) : TextReader(file, words) {}
 
   private:
     friend TableReader<LessonReader, json>;
-    const Words &words_;
 
-    using TableReader::finish;
-    using TableReader::read;
+    using TextReader::finish;
+    using TextReader::read;
 
-    void read(const json &json, const std::string &path, const Range &, Text &out) const {
-        expect(json.is_string() || (json.is_object() && !json.empty()), path,
-               "a text, \"@key\" or {\"en\": ..., \"zh\": ...}", json);
-        if (json.is_object()) {
-            out.text = in_language(json, path);
-        } else if (const auto &text = json.get_ref<const std::string &>(); text.starts_with('@')) {
-            out.text = at(name() + ": " + path, [&] { return words_.text(std::string_view(text).substr(1)); });
-        } else {
-            out.text = text;
-        }
-    }
-    [[nodiscard]] std::string in_language(const json &json, const std::string &path) const {
-        for (const auto &[key, text] : json.items()) {
-            if (std::ranges::find(languages, key) == languages.end()) {
-                refuse(below(path, key), "unknown language" + suggestion(key, languages));
-            }
-            expect(text.is_string(), below(path, key), "a string", text);
-        }
-        const auto own = json.find(words_.language());
-        return *(own != json.end() ? own : json.begin());
-    }
-    void read(const json &json, const std::string &path, const Range &, JsonText &out) const {
-        expect(json.is_string() || json.is_object(), path, "a name or an object", json);
-        out.json = json.dump();
-    }
-    void read(const json &json, const std::string &path, const Range &, Technique &out) const {
-        expect(json.is_string(), path, "a technique", json);
-        out = at(name() + ": " + path, [&] { return parse_technique(json.get<std::string>()); });
-    }
-    void read(const json &json, const std::string &path, const Range &, Size &out) const {
-        expect(json.is_string(), path, "a size such as \"320x240\"", json);
-        out = at(name() + ": " + path, [&] { return parse_size(json.get<std::string>()); });
-    }
     void read(const json &json, const std::string &path, const Range &, PictureSource &out) const {
         if (json.is_array()) {
             out.kind = PictureSource::Kind::color;
@@ -178,7 +135,7 @@ class Resolver {
         if (step.scene_json.json.empty() && last == nullptr) {
             throw InputError("{}.scene: missing; expected a scene: there is no step before this one", place);
         }
-        Scene scene = step.scene_json.json.empty() ? last->scene : opened(step.scene_json.json, place + ".scene");
+        Scene scene = step.scene_json.json.empty() ? last->scene : scene_from(step.scene_json, place + ".scene", folder_, assets_);
         if (!step.camera_json.json.empty()) {
             const json camera = json::parse(step.camera_json.json);
             const std::string setting = "camera=" + step.camera_json.json;
@@ -187,16 +144,6 @@ class Resolver {
                         : with_settings(scene, {&setting, 1}, place, folder_);
         }
         return step.set.empty() ? scene : with_settings(scene, step.set, place + ".set", folder_);
-    }
-    [[nodiscard]] Scene opened(const std::string &text, const std::string &place) const {
-        const json value = json::parse(text);
-        if (value.is_object()) {
-            return parse_scene(text, place, folder_);
-        }
-        const auto name = value.get<std::string>();
-        return at(place, [&] {
-            return open_scene(fs::path(name).has_extension() ? (folder_ / name).string() : name, assets_);
-        });
     }
     void resolve_claim(const LessonStep &step, LessonClaim &claim, const std::string &place) const {
         const auto changed = [&](const Scene &scene, const std::vector<std::string> &set, const char *key) {

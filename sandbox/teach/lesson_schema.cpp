@@ -1,5 +1,5 @@
-#include "scene/table_schema.h"
 #include "teach/claims.h"
+#include "teach/files/text_schema.h"
 #include "teach/lesson_format.h"
 #include "teach/lesson_read.h"
 
@@ -10,19 +10,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-class Schema : public TableSchema<Schema, Json> {
+class Schema : public TextSchema<Schema, Json> {
     friend TableSchema<Schema, Json>;
 
-    using TableSchema::type_of;
-    static Json string_or(Json other) { return {{"anyOf", Json::array({{{"type", "string"}}, std::move(other)})}}; }
-    Json type_of(const Text &, const Range &) const {
-        return string_or({{"type", "object"},
-                          {"properties", {{"en", {{"type", "string"}}}, {"zh", {{"type", "string"}}}}},
-                          {"additionalProperties", false}});
-    }
-    Json type_of(const JsonText &, const Range &) const { return string_or({{"type", "object"}}); }
-    Json type_of(const Technique &, const Range &) const { return {{"type", "string"}}; }
-    Json type_of(Size, const Range &) const { return {{"type", "string"}}; }
+    using TextSchema::type_of;
     Json type_of(const PictureSource &, const Range &) const {
         return string_or(array_of(number("number", linear_rgb), 3, 3));
     }
