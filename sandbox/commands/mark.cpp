@@ -4,7 +4,6 @@
 #include "commands/interrupt.h"
 #include "commands/progress_bar.h"
 #include "commands/session.h"
-#include "render/gl_program.h"
 #include "shading/own_files.h"
 #include "teach/marking/answer_names.h"
 #include "teach/marking/exercise_read.h"
@@ -19,6 +18,8 @@
 namespace sandbox {
 namespace {
 
+constexpr OwnLimits limits_of_an_answer{.seconds_each = 5, .seconds_all = 8};
+
 struct MarkFlags {
     std::string exercise;
     std::vector<std::filesystem::path> answers;
@@ -26,20 +27,6 @@ struct MarkFlags {
     int hints = 2;
     std::string language{languages.front()};
 };
-
-/// How answers are drawn: the one place where text that nobody vouches for meets the renderer. Whatever goes wrong
-/// there is that answer's own, as an InputError.
-MarkDraw marks_drawn_by(Renderer &renderer) {
-    MarkDraw draw{diagnosis_drawn_by(renderer), {}, &renderer.parts()};
-    draw.own = [&renderer](const Scene &scene, const Technique &technique, Size size, bool object_ids) {
-        try {
-            return renderer.render(scene, technique, size, object_ids);
-        } catch (const ShaderError &error) {
-            throw InputError("{}", error.what());
-        }
-    };
-    return draw;
-}
 
 Mark marked(Marker &marker, const AnswerFile &file) {
     try {
@@ -111,7 +98,7 @@ int run_mark(const MarkFlags &flags, const CommonOptions &common) {
         make_folder(flags.out);
     }
 
-    DrawingSession session(common);
+    DrawingSession session(common, DrawingSession::Own::drawn_apart, limits_of_an_answer);
     const MarkDraw draw = marks_drawn_by(session.renderer());
     Marker marker(exercise, draw);
     ProgressBar bar("mark " + exercise.name);

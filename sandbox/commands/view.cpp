@@ -1,6 +1,7 @@
 #include "commands/commands.h"
 #include "commands/own_flags.h"
 #include "teach/lesson_read.h"
+#include "teach/marking/exercise_read.h"
 #include "ui/run_script.h"
 #include "ui/run_window.h"
 
@@ -15,6 +16,7 @@ namespace {
 struct ViewFlags {
     std::string scene = "studio"; ///< or a lesson's file
     std::string lesson;           ///< a built-in name or a path; empty: none
+    std::string exercise;         ///< likewise
     OwnFlags own;
     std::string left, right; ///< empty: a sidecar's, the scene's or the window's own
     std::string script;      ///< a file; empty: a person works the window
@@ -53,6 +55,11 @@ int run_view(const ViewFlags &flags, const CommonOptions &common) {
         const std::string id = lesson ? flags.scene : flags.lesson;
         options.lesson = is_lesson_file(id) ? std::filesystem::absolute(id).string() : id;
         open_lesson(options.lesson, options.assets, words_in(languages.front(), options.assets)); // throws if bad
+    }
+    if (!flags.exercise.empty()) {
+        options.exercise =
+            is_exercise_file(flags.exercise) ? std::filesystem::absolute(flags.exercise).string() : flags.exercise;
+        open_exercise(options.exercise, options.assets, words_in(languages.front(), options.assets)); // throws if bad
     }
     OwnTechniques techniques(flags.own);
     if (!flags.left.empty()) {
@@ -94,6 +101,8 @@ void add_view(CLI::App &app, CommonOptions &common, Run &run) {
     add_own_files(command, flags->own, true);
     add_value(command, "--lesson", "NAME", flags->lesson,
               "Lesson to show: a built-in name (see: list) or a .json file");
+    add_value(command, "--exercise", "NAME", flags->exercise,
+              "Exercise to show: a built-in name (see: list) or a .json file");
     add_value(command, "--script", "FILE", flags->script,
               "Works the window by the actions in FILE, without a display; they are listed below");
     add_parsed(command, "--size", "WxH", flags->size, parse_size,

@@ -69,6 +69,8 @@ OwnResponse answer(Renderer &renderer, const OwnRequest &request) {
             OwnResponse::Outcome::picture, renderer.render(scene, technique, request.size, request.object_ids), {}, 0};
     } catch (const InputError &error) {
         return failure(OwnResponse::Outcome::input_error, error.what());
+    } catch (const ShaderError &error) { // the text and the scene together, as too many uniforms
+        return failure(OwnResponse::Outcome::input_error, request.file + ": " + error.what());
     } catch (const std::bad_alloc &) {
         return failure(OwnResponse::Outcome::input_error, request.file + ": takes more memory than there is for it");
     } catch (const std::exception &error) {

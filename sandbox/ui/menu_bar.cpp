@@ -82,6 +82,17 @@ void lesson_items(Session &session, const Label &title, bool bugs) {
     }
 }
 
+void exercise_items(Session &session, const Label &title) {
+    const std::string shown = session.document.exercise ? session.document.exercise->id : "";
+    for (const ListedExercise &exercise : session.exercises) {
+        const ScopedName menu(session, title.name);
+        if (ImGui::MenuItem(Label(exercise.title, exercise.name).id().c_str(), nullptr, exercise.name == shown)) {
+            session.requests.open_exercise = exercise.name;
+        }
+        describe_item(session, exercise.name, "", exercise.title);
+    }
+}
+
 void lesson_menu(Session &session) {
     const Label title = session.label("menu.lesson");
     if (!begin_menu(session, title)) {
@@ -90,6 +101,10 @@ void lesson_menu(Session &session) {
     lesson_items(session, title, false);
     if (begin_menu(session, session.label("menu.bugs"))) {
         lesson_items(session, title, true);
+        ImGui::EndMenu();
+    }
+    if (begin_menu(session, session.label("menu.exercises"))) {
+        exercise_items(session, title);
         ImGui::EndMenu();
     }
     ImGui::Separator();

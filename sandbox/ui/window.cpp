@@ -7,10 +7,13 @@
 #include "render/context.h"
 #include "scene/scene_file.h"
 #include "teach/lesson_read.h"
+#include "teach/marking/exercise_read.h"
 #include "ui/desktop.h"
 #include "ui/frame.h"
 #include "ui/keys.h"
 #include "ui/session/put_texture.h"
+#include "ui/session/shown_characters.h"
+#include "ui/session/taught.h"
 #include "ui/session/written_files.h"
 #include "ui/tabs/bottom_tabs.h"
 #include "ui/views/painters.h"
@@ -55,6 +58,7 @@ Window::Window(const WindowOptions &options, Host &host)
         texture.erase(0, std::string("textures/").size());
     }
     session_.progress = settings_.lessons;
+    session_.solved = settings_.exercises;
     attempt(session_, "", [&] { load(options.file.scene, options.message); });
     attempt(session_, "", [&] {
         speak(!options.language.empty()            ? options.language
@@ -63,6 +67,9 @@ Window::Window(const WindowOptions &options, Host &host)
     });
     if (!options.lesson.empty()) {
         open_lesson(options.lesson, 0);
+    }
+    if (!options.exercise.empty()) {
+        open_exercise(options.exercise);
     }
 }
 
@@ -161,7 +168,7 @@ void Window::draw() {
     }
     host_.set_full_screen(session_.appearance.full_screen);
     session_.widgets.begin_frame();
-    use_shown_characters();
+    use_shown_characters(session_, settings_.recent, dialog_.path());
     gui_.begin_frame(session_.appearance, session_.document.step != nullptr, session_.chinese);
     finder_.update(session_, painter_);
     draw_frame(session_, painter_, bottom_);
@@ -188,6 +195,12 @@ void Window::answer_requests() {
     }
     if (requests.open_lesson) {
         open_lesson(*requests.open_lesson, requests.open_step);
+    }
+    if (requests.open_exercise) {
+        open_exercise(*requests.open_exercise);
+    }
+    if (requests.begin_exercise) {
+        begin_exercise();
     }
     if (requests.save) {
         save(*requests.save);
@@ -230,17 +243,12 @@ void Window::take_dropped(const std::string &path) {
     }
 }
 
-/// Throws InputError.
-std::shared_ptr<const Lesson> Window::read_lesson(const std::string &name_or_path) const {
-    return std::make_shared<const Lesson>(sandbox::open_lesson(name_or_path, assets_, session_.words));
-}
-
 /// In its tab. A bad one changes nothing.
 void Window::open_lesson(const std::string &name_or_path, std::size_t step) {
     attempt(session_, "", [&] {
         const bool file = is_lesson_file(name_or_path);
         const std::string id = file ? std::filesystem::absolute(name_or_path).string() : name_or_path;
-        const auto lesson = read_lesson(id);
+        const auto lesson = read_lesson(session_, assets_, id);
         load(lesson->steps[std::min(step, lesson->steps.size() - 1)].scene, "");
         const bool goes_on = session_.document.step != nullptr && !session_.appearance.panels; // from bug to bug
         show_step(session_, lesson, id, step);
@@ -255,8 +263,41 @@ void Window::open_lesson(const std::string &name_or_path, std::size_t step) {
     });
 }
 
+/// In its tab, likewise.
+void Window::open_exercise(const std::string &name_or_path) {
+    attempt(session_, "", [&] {
+        const bool file = is_exercise_file(name_or_path);
+        const std::string id = file ? std::filesystem::absolute(name_or_path).string() : name_or_path;
+        const auto exercise = read_exercise(session_, assets_, id);
+        load(exercise->shown_scene(), session_.text("exercise_tab.opened", exercise->title.text));
+        show_exercise(session_, exercise, id, painter_.renderer().parts());
+        session_.appearance.tab = tab_made_by(exercise_tab);
+        session_.appearance.panels = true;
+        if (file) {
+            add_recent(settings_, id);
+        }
+    });
+}
+
+/// Whoever has no editor for it finds its path in the status line.
+void Window::begin_exercise() {
+    attempt(session_, "", [&] {
+        const auto shown = session_.document.exercise;
+        if (shown == nullptr) {
+            return;
+        }
+        write_student_file(*shown, painter_.renderer().parts());
+        session_.message = {session_.text("exercise_tab.written", shown->file), false};
+        ImGui::SetClipboardText(shown->file.c_str());
+        open_on_desktop(shown->file);
+    });
+}
+
 void Window::open(const std::string &name_or_path) {
     attempt(session_, "", [&] {
+        if (is_exercise_file(name_or_path)) {
+            return open_exercise(name_or_path);
+        }
         if (is_lesson_file(name_or_path)) {
             return open_lesson(name_or_path, 0);
         }
@@ -283,49 +324,11 @@ void Window::speak(const std::string &language) {
     if (session_.chinese != before && !chinese_font()) {
         session_.chinese = std::move(before);
         session_.words = words.english();
-        read_lessons();
+        list_taught(session_, assets_);
         throw InputError("{}", words.english().text("message.no_font"));
     }
     session_.words = words;
-    read_lessons();
-}
-
-/// Of names and texts from files and people.
-void Window::use_shown_characters() {
-    if (!chinese_font()) {
-        return;
-    }
-    const Document &document = session_.document;
-    for (const std::string &text : {document.opened->name, document.scene.name, document.scene.description,
-                                    session_.message.text, dialog_.path()}) {
-        use_characters(session_, text);
-    }
-    for (const Object &object : document.scene.objects) {
-        use_characters(session_, object.name);
-        use_characters(session_, object.material.texture);
-    }
-    for (const View &view : document.scene.views) {
-        use_characters(session_, view.name);
-    }
-    for (const std::string &file : settings_.recent) {
-        use_characters(session_, file);
-    }
-}
-
-/// In the window's language.
-void Window::read_lessons() {
-    session_.lessons.clear();
-    attempt(session_, "", [&] {
-        for (const auto read : {builtin_lessons, builtin_bugs}) {
-            for (const Lesson &lesson : read(assets_, session_.words)) {
-                session_.lessons.push_back({lesson.name, lesson.title.text, lesson.is_bug()});
-            }
-        }
-        if (const auto shown = session_.document.step) {
-            session_.document.step = std::make_shared<const ShownStep>(
-                ShownStep{read_lesson(shown->id), shown->id, shown->number, shown->before});
-        }
-    });
+    list_taught(session_, assets_);
 }
 
 /// Throws InputError, and then nothing changes.
@@ -375,6 +378,7 @@ void Window::keep_settings() {
     settings_.scale = static_cast<double>(session_.appearance.scale);
     settings_.panel_sizes = session_.appearance.sizes;
     settings_.lessons = session_.progress;
+    settings_.exercises = session_.solved;
     const Size size = host_.framebuffer_size();
     if (!session_.appearance.full_screen && size.width >= least_window.width && size.height >= least_window.height) {
         const auto scale = static_cast<double>(host_.content_scale());

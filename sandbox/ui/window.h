@@ -22,8 +22,9 @@
 namespace sandbox {
 
 struct WindowOptions {
-    OpenedFile file;    ///< shown first
-    std::string lesson; ///< then this one: a built-in name or a path; empty: none
+    OpenedFile file;      ///< shown first
+    std::string lesson;   ///< then this one: a built-in name or a path; empty: none
+    std::string exercise; ///< likewise
     /// If the file names no techniques:
     Technique left{.frequency = Frequency::per_vertex, .model = Model::blinn_phong}; ///< one cause of difference
     Technique right{.frequency = Frequency::per_pixel, .model = Model::blinn_phong};
@@ -71,14 +72,13 @@ class Window {
     void take_dropped(const std::string &path);
     void open(const std::string &name_or_path);
     void open_lesson(const std::string &name_or_path, std::size_t step);
-    [[nodiscard]] std::shared_ptr<const Lesson> read_lesson(const std::string &name_or_path) const;
+    void open_exercise(const std::string &name_or_path);
+    void begin_exercise();
     void load(const Scene &scene, const std::string &message);
     void capture();
     void end_capture(const CaptureQueue::Outcome &outcome);
     void save(const std::string &path);
     void speak(const std::string &language);
-    void use_shown_characters();
-    void read_lessons();
     void take_opened(const OpenedFile &file);
     void show_view(const OpenedFile &file);
     void use_clipboard(const Requests &requests);

@@ -147,6 +147,15 @@ Exercise open_exercise(const std::string &name_or_file, const Assets &assets, co
                      nearest.empty() ? " (see: shading-sandbox list)" : fmt::format("; did you mean \"{}\"?", nearest));
 }
 
+bool is_exercise_file(const fs::path &file) {
+    std::error_code error;
+    if (file.extension() != ".json" || !fs::is_regular_file(file, error)) {
+        return false;
+    }
+    const json read = json::parse(read_file(file), nullptr, false);
+    return read.is_object() && read.contains("terms") && read.contains("task");
+}
+
 std::string student_copy(const Exercise &exercise) {
     using nlohmann::ordered_json;
     ordered_json scenes = ordered_json::array(), terms = ordered_json::array();

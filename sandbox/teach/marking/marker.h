@@ -24,6 +24,16 @@ struct MarkDraw {
     const ShaderParts *parts = nullptr;
 };
 
+/// Draws with render/'s Renderer, which this room cannot name and which must outlive what is returned; it draws own
+/// shading as it was told to.
+template <typename Renderer> MarkDraw marks_drawn_by(Renderer &renderer) {
+    return {diagnosis_drawn_by(renderer),
+            [&renderer](const Scene &scene, const Technique &technique, Size size, bool object_ids) {
+                return renderer.render(scene, technique, size, object_ids);
+            },
+            &renderer.parts()};
+}
+
 /// What an answer got.
 struct Mark {
     Judgement judgement;       ///< empty where the answer was refused, or where the points cannot be given

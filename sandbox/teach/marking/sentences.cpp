@@ -117,6 +117,11 @@ std::string title_of(const Words &words, MarkTerm term) {
     return words.text(fmt::format("mark.term.{}", term_words[static_cast<std::size_t>(term)]));
 }
 
+std::string sentence(const Words &words, const Exercise &exercise, const Mark &mark, const TermResult &result,
+                     int hints) {
+    return hints == 0 ? "" : Sentences(words, exercise, mark, hints).of(result);
+}
+
 std::vector<std::string> sentences(const Words &words, const Exercise &exercise, const Mark &mark, int hints) {
     if (!mark.refused.empty()) {
         return {words.format("mark.refused", on_one_line(mark.refused))};

@@ -14,6 +14,10 @@ constexpr int most_hints = 3;
 /// and where; 2: in which way; 3: by which fault.
 std::vector<std::string> sentences(const Words &words, const Exercise &exercise, const Mark &mark, int hints);
 
+/// ... of one term that is not right.
+std::string sentence(const Words &words, const Exercise &exercise, const Mark &mark, const TermResult &result,
+                     int hints);
+
 std::string title_of(const Words &words, MarkTerm term);
 
 } // namespace sandbox

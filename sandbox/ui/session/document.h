@@ -18,6 +18,7 @@ struct OpenedScene {
 };
 
 struct ShownStep;
+struct ShownExercise;
 
 /// All that edits change and undo restores.
 struct Document {
@@ -31,7 +32,8 @@ struct Document {
     /// Minimum aspect: narrower views widen the field of view; 0 disables.
     double least_aspect = 1.2;
     std::shared_ptr<const OpenedScene> opened;
-    std::shared_ptr<const ShownStep> step; ///< of the lesson that is shown; null: none
+    std::shared_ptr<const ShownStep> step;         ///< of the lesson that is shown; null: none
+    std::shared_ptr<const ShownExercise> exercise; ///< that is worked on; null: none
     bool operator==(const Document &) const = default;
     [[nodiscard]] bool left_is_textbook() const { return textbook == left; }
 };

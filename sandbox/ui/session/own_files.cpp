@@ -56,6 +56,7 @@ bool OwnFiles::read_saved(Session &session) {
         std::error_code absent, gone; // for a moment, while an editor saves
         const State now{std::filesystem::last_write_time(file, absent), std::filesystem::file_size(file, gone)};
         if (absent || gone) {
+            seen_[file] = {}; // whatever it is when it is there again, it is new
             continue;
         }
         const auto [known, is_new] = seen_.try_emplace(file, now);

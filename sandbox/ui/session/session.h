@@ -8,6 +8,7 @@
 #include "ui/session/label.h"
 #include "ui/session/pixel_findings.h"
 #include "ui/session/playback.h"
+#include "ui/session/shown_exercise.h"
 #include "ui/session/shown_lesson.h"
 #include "ui/session/widget_map.h"
 #include "words/words.h"
@@ -93,6 +94,8 @@ struct Requests {
     std::optional<std::string> open;              ///< a built-in name or a path
     std::optional<std::string> open_lesson;       ///< likewise
     std::size_t open_step = 0;                    ///< of that lesson
+    std::optional<std::string> open_exercise;     ///< likewise
+    bool begin_exercise = false;                  ///< writes the student's file, and opens it in an editor
     std::optional<std::string> save;              ///< a path for the scene
     std::optional<std::string> language;          ///< of languages
     bool ask_open = false, ask_save = false;      ///< for a path
@@ -122,6 +125,8 @@ struct Session {
     std::vector<std::string> textures;               ///< built-in ones
     std::vector<ListedLesson> lessons;               ///< built-in ones, famous bugs behind the others
     LessonProgress progress;
+    std::vector<ListedExercise> exercises; ///< built-in ones
+    SolvedExercises solved;
     bool answer_shown = false; ///< of the step's question
     WidgetMap widgets;         ///< for scripts
     Words words = words_in(languages.front());

@@ -56,6 +56,7 @@ Settings read_settings(const fs::path &file, std::string &message) {
             settings.lessons = {lessons->value("last", ""), lessons->value("step", std::size_t{0}),
                                 lessons->value("seen", std::map<std::string, std::set<std::size_t>>{})};
         }
+        settings.exercises = from.value("exercises", settings.exercises);
         const auto size = from.value("window", std::array<int, 2>{settings.window.width, settings.window.height});
         settings.window = {std::clamp(size[0], least_window.width, 16384),
                            std::clamp(size[1], least_window.height, 16384)};
@@ -86,7 +87,8 @@ void write_settings(const fs::path &file, const Settings &settings) {
         {"bottom_share", settings.panel_sizes.bottom_share},
         {"recent", settings.recent},
         {"lessons",
-         {{"last", settings.lessons.last}, {"step", settings.lessons.step}, {"seen", settings.lessons.seen}}}};
+         {{"last", settings.lessons.last}, {"step", settings.lessons.step}, {"seen", settings.lessons.seen}}},
+        {"exercises", settings.exercises}};
     write_file(file, to.dump(2) + "\n");
 }
 

@@ -18,6 +18,7 @@ struct Settings {
     PanelSizes panel_sizes;
     std::vector<std::string> recent; ///< absolute paths of files, the last one first; at most most_recent
     LessonProgress lessons;
+    SolvedExercises exercises; ///< solved ones
     bool operator==(const Settings &) const = default;
 };
 constexpr std::size_t most_recent = 10;

@@ -46,6 +46,7 @@ std::unique_ptr<TabContent> error_time_tab(const DrawingSupplies &supplies);
 std::unique_ptr<TabContent> glsl_tab(const DrawingSupplies &supplies);
 std::unique_ptr<TabContent> stability_tab(const DrawingSupplies &supplies);
 std::unique_ptr<TabContent> lesson_tab(const DrawingSupplies &supplies);
+std::unique_ptr<TabContent> exercise_tab(const DrawingSupplies &supplies);
 
 /// From left to right. The panel, the menu, the keyboard and the list of keys read these rows.
 constexpr BottomTab bottom_tabs[] = {
@@ -56,6 +57,7 @@ constexpr BottomTab bottom_tabs[] = {
     {"glsl", 'G', glsl_tab},
     {"stability", 'S', stability_tab},
     {"lesson", 'B', lesson_tab},
+    {"exercise", 'H', exercise_tab},
 };
 
 /// The one that draws `overlay` over the pictures; none for Overlay::none.

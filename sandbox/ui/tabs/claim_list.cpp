@@ -2,6 +2,7 @@
 
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/verdict_mark.h"
 #include "ui/widgets/widgets.h"
 
 #include <fmt/format.h>
@@ -12,53 +13,32 @@ namespace sandbox {
 
 namespace {
 
-enum class Mark { none, dot, tick, cross };
-
-Mark mark_of(const ClaimResult &claim) { return !claim.checked ? Mark::dot : claim.passed ? Mark::tick : Mark::cross; }
-
-/// With what was measured.
-std::string verdict(const Session &session, Mark mark, const std::string &measured) {
-    return mark == Mark::none    ? session.text("lesson_tab.measuring")
-           : mark == Mark::tick  ? session.text("lesson_tab.holds", measured)
-           : mark == Mark::cross ? session.text("lesson_tab.fails", measured)
-                                 : session.text("lesson_tab.shown", measured);
+VerdictMark mark_of(const ClaimResult &claim) {
+    return !claim.checked ? VerdictMark::dot : claim.passed ? VerdictMark::tick : VerdictMark::cross;
 }
 
-/// Drawn, for not every font has such letters; as wide as a line is high.
-void draw_mark(Mark mark) {
-    const float size = ImGui::GetTextLineHeight();
-    const ImVec2 low = ImGui::GetCursorScreenPos();
-    const auto at = [&](float x, float y) { return ImVec2{low.x + x * size, low.y + y * size}; };
-    ImDrawList &list = *ImGui::GetWindowDrawList();
-    const float thickness = size * 0.13F;
-    if (mark == Mark::tick) {
-        const ImVec2 points[] = {at(0.08F, 0.55F), at(0.34F, 0.82F), at(0.82F, 0.2F)};
-        list.AddPolyline(points, 3, ImGui::GetColorU32(side_color(true)), ImDrawFlags_None, thickness);
-    } else if (mark == Mark::cross) {
-        const ImU32 color = ImGui::GetColorU32(error_text());
-        list.AddLine(at(0.15F, 0.2F), at(0.75F, 0.8F), color, thickness);
-        list.AddLine(at(0.75F, 0.2F), at(0.15F, 0.8F), color, thickness);
-    } else if (mark == Mark::dot) {
-        list.AddCircleFilled(at(0.45F, 0.5F), size * 0.12F, ImGui::GetColorU32(quiet_text()));
-    }
-    ImGui::Dummy({size, size});
-    ImGui::SameLine(0, size * 0.2F);
+/// With what was measured.
+std::string verdict(const Session &session, VerdictMark mark, const std::string &measured) {
+    return mark == VerdictMark::none    ? session.text("lesson_tab.measuring")
+           : mark == VerdictMark::tick  ? session.text("lesson_tab.holds", measured)
+           : mark == VerdictMark::cross ? session.text("lesson_tab.fails", measured)
+                                        : session.text("lesson_tab.shown", measured);
 }
 
 /// The value in large letters, then its bound and the claim's words. Of words in a GLSL text there is no value.
-void claim_row(Session &session, std::size_t number, const ClaimResult &claim, Mark mark) {
+void claim_row(Session &session, std::size_t number, const ClaimResult &claim, VerdictMark mark) {
     const ImVec4 text = ImGui::GetStyleColorVec4(ImGuiCol_Text);
-    const bool value = mark != Mark::tick || !claim.bound.empty();
+    const bool value = mark != VerdictMark::tick || !claim.bound.empty();
     ImGui::BeginGroup();
     ImGui::PushFont(value ? lecture_font() : ImGui::GetFont());
     const float indent = ImGui::GetTextLineHeight();
     draw_mark(mark);
-    wrapped_text(mark == Mark::none    ? quiet_text()
-                 : mark == Mark::cross ? error_text()
-                                       : text,
-                 mark == Mark::none ? session.text("lesson_tab.measuring")
-                 : value            ? claim.measured
-                                    : claim.what);
+    wrapped_text(mark == VerdictMark::none    ? quiet_text()
+                 : mark == VerdictMark::cross ? error_text()
+                                              : text,
+                 mark == VerdictMark::none ? session.text("lesson_tab.measuring")
+                 : value                   ? claim.measured
+                                           : claim.what);
     ImGui::PopFont();
     const std::string bound = claim.bound.empty() ? "" : session.text("lesson_tab.claimed", claim.bound);
     const std::string unit = claim.bound.empty() ? "" : std::string(claim.unit);
@@ -87,7 +67,7 @@ void claim_list(Session &session, std::span<const LessonClaim> claims, std::span
     for (std::size_t i = 0; i < claims.size(); ++i) {
         const bool ready = i < measured.size();
         claim_row(session, i + 1, ready ? measured[i] : claim_words(session.words, claims[i]),
-                  ready ? mark_of(measured[i]) : Mark::none);
+                  ready ? mark_of(measured[i]) : VerdictMark::none);
     }
 }
 

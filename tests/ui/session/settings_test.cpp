@@ -26,7 +26,8 @@ TEST_F(SettingsTest, WhatIsWrittenIsRead) {
                       .window = {1000, 700},
                       .panel_sizes = {30, 0.5F},
                       .recent = {"/a.json"},
-                      .lessons = {"two-sided", 3, {{"two-sided", {0, 1, 3}}, {"/mine.json", {0}}}}};
+                      .lessons = {"two-sided", 3, {{"two-sided", {0, 1, 3}}, {"/mine.json", {0}}}},
+                      .exercises = {"lambert", "/mine.json"}};
     write_settings(folder.path() / "a" / "settings.json", settings); // makes the folder
     EXPECT_EQ(read(), settings);
     EXPECT_EQ(message, "");
