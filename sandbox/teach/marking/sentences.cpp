@@ -48,14 +48,13 @@ class Sentences {
         const bool told = worst.kind == ErrorKind::not_finite || worst.kind == ErrorKind::unheeding;
         if (hints_ >= 2 && !told) {
             const bool missing = worst.kind == ErrorKind::missing;
-            text +=
-                kind(result.term, fault != nullptr && !missing ? fault->kind : worst.kind) + words_.text("mark.space");
+            text += kind(result.term, fault != nullptr && !missing ? fault->kind : worst.kind) + " ";
         }
         if (hints_ >= 3 && fault != nullptr) {
             text += fault_text(*fault);
         }
         text.resize(text.find_last_not_of(' ') + 1);
-        return text;
+        return spaced(words_, text);
     }
 
   private:
