@@ -8,7 +8,7 @@
 #include "shading/own_files.h"
 #include "teach/marking/answer_names.h"
 #include "teach/marking/exercise_read.h"
-#include "teach/marking/marks_report.h"
+#include "teach/marking/marks_page.h"
 #include "teach/marking/sentences.h"
 
 #include <algorithm>

@@ -1,6 +1,8 @@
-#include "shading/own_files.h"
-#include "teach/marking/faults.h"
+#include "teach/marking/wrong_lines.h"
 
+#include "shading/own_files.h"
+
+#include <string>
 #include <utility>
 
 namespace sandbox {

@@ -1,5 +1,5 @@
 #include "teach/marking/marking_fakes.h"
-#include "teach/marking/marks_report.h"
+#include "teach/marking/marks_page.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
