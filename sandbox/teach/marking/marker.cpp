@@ -2,6 +2,7 @@
 
 #include "image/error.h"
 #include "reference/reference.h"
+#include "shading/own_text.h"
 #include "teach/marking/naming.h"
 #include "teach/marking/truth.h"
 
@@ -71,7 +72,21 @@ struct Marker::Impl {
         return {answer, truth.pictures(), truth.masks(), exercise.find(MarkTerm::robustness) != nullptr};
     }
 
+    void refuse_other_words(const OwnText &text) const {
+        for (const std::string &word : exercise.has) {
+            if (!text.names(word)) {
+                throw InputError("{}: the exercise asks for '{}', which is not in it", text.file, word);
+            }
+        }
+        for (const std::string &word : exercise.lacks) {
+            if (text.names(word)) {
+                throw InputError("{}: the exercise asks to do without '{}'", text.file, word);
+            }
+        }
+    }
+
     Mark mark_own(const OwnShader &text) {
+        refuse_other_words(*text);
         const Technique technique = own_technique(exercise, text);
         double milliseconds = 0;
         const auto drawn = [&](const Scene &scene, Size size) {

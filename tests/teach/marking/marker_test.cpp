@@ -169,6 +169,19 @@ TEST(Marker, AnAnswerThatFailsIsRefusedWithItsReason) {
     EXPECT_EQ(sentences(english, exercise, mark, 0), std::vector<std::string>{"Not marked: a.glsl:3: no such name"});
 }
 
+TEST(Marker, WordsMayBeAskedForAndForbidden) {
+    Exercise exercise = small_exercise(all_terms);
+    FakeDraw fake([](const Scene &, const Technique &, Size size) { return Image(size); });
+    Marker marker(exercise, fake.draw);
+    exercise.has = {"lighting", "normal"};
+    EXPECT_EQ(marker.mark_own(some_text).refused, "a.glsl: the exercise asks for 'normal', which is not in it");
+    exercise.has = {};
+    exercise.lacks = {"eye"};
+    EXPECT_EQ(marker.mark_own(some_text).refused, "a.glsl: the exercise asks to do without 'eye'");
+    exercise.lacks = {"normal_matrix"};
+    EXPECT_EQ(marker.mark_own(some_text).refused, "");
+}
+
 TEST(Marker, HintsSayMoreStepByStep) {
     const Exercise exercise = small_exercise(all_terms);
     FakeDraw *self = nullptr;
