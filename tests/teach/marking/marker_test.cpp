@@ -159,6 +159,38 @@ TEST(Marker, APixelThatIsNotFiniteCostsRobustnessAlone) {
     EXPECT_EQ(lost(exercise, {}, "per-pixel/lambert"), Costs{});
 }
 
+/// ... also where it is in a plain scene, and the stiff ones are finite.
+TEST(Marker, APixelThatIsNotFiniteInAPlainSceneCostsRobustness) {
+    const Exercise exercise =
+        small_exercise(R"([{"term": "diffuse"}, {"term": "robustness"}])", "per-pixel/lambert",
+                       R"([{"scene": "point-light"}, {"set": ["lights[0].diffuse=1e6"], "stiff": true}])");
+    FakeDraw *self = nullptr;
+    FakeDraw fake([&](const Scene &scene, const Technique &, Size size) {
+        Image image = self->truth(scene, "per-pixel/lambert", size);
+        image.at(24, 18).x = scene.lights[0].diffuse == 1e6 ? 0 : std::numeric_limits<float>::infinity();
+        return image;
+    });
+    self = &fake;
+    Marker marker(exercise, fake.draw);
+    EXPECT_EQ(marker.mark_own(some_text).judgement.points(exercise), 1);
+}
+
+TEST(Marker, WhatCannotBeSeenYetSaysWhatToMendFirst) {
+    const Exercise exercise = small_exercise(R"([{"term": "diffuse"}, {"term": "normals"}])", "per-pixel/lambert",
+                                             R"([{"scene": "box-4-normal-matrix"}])");
+    FakeDraw *self = nullptr;
+    FakeDraw fake([&](const Scene &scene, const Technique &, Size size) {
+        Scene dim = scene;
+        dim.lights[0].diffuse *= 0.5;
+        return self->truth(dim, "per-pixel/lambert", size);
+    });
+    self = &fake;
+    Marker marker(exercise, fake.draw);
+    const auto said = sentences(english, exercise, marker.mark_own(some_text), 1);
+    ASSERT_EQ(said.size(), 2U);
+    EXPECT_EQ(said[1], "normals: cannot be seen yet; first mend diffuse");
+}
+
 TEST(Marker, AnAnswerThatFailsIsRefusedWithItsReason) {
     const Exercise exercise = small_exercise(all_terms);
     FakeDraw fake([](const Scene &, const Technique &, Size) -> Image { throw InputError("a.glsl:3: no such name"); });
