@@ -4,6 +4,7 @@
 #include "scene/scene_file.h"
 #include "teach/claims.h"
 #include "teach/lesson_read.h"
+#include "teach/marking/exercise_read.h"
 #include "tools/english.h"
 #include "words/row_words.h"
 #include "words/words.h"
@@ -47,6 +48,12 @@ std::map<std::string, std::string> all_row_texts() {
             for (const LessonStep &step : lesson.steps) {
                 add(texts_of(step.scene));
             }
+        }
+    }
+    for (const Exercise &exercise : builtin_exercises(assets, english)) {
+        for (const ExerciseScene &scene : exercise.scenes) {
+            own.push_back(scene.name);
+            add(texts_of(scene.scene));
         }
     }
     std::erase(own, "");

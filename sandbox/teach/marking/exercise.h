@@ -32,8 +32,9 @@ struct TermPoints {
 
 struct Exercise {
     Text title, about, task;
-    double order = 1000; ///< exercises are listed by it
-    Technique target;    ///< frequency and model that own shading is held against
+    double order = 1000;                 ///< exercises are listed by it
+    Technique target;                    ///< frequency and model that own shading is held against
+    std::vector<std::string> has, lacks; ///< words of an answer's text: that it must use, that it must not
     Size size{160, 120}; ///< of the pictures that are marked; the ones that are shown are twice as large
     std::vector<ExerciseScene> scenes;
     std::vector<TermPoints> terms;

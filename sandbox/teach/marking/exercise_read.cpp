@@ -180,6 +180,8 @@ std::string student_copy(const Exercise &exercise) {
                             {"about", exercise.about.text},
                             {"task", exercise.task.text},
                             {"target", to_string(exercise.target)},
+                            {"has", exercise.has},
+                            {"lacks", exercise.lacks},
                             {"size", fmt::format("{}x{}", exercise.size.width, exercise.size.height)},
                             {"scenes", std::move(scenes)},
                             {"terms", std::move(terms)}};

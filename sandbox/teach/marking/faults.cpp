@@ -1,6 +1,7 @@
 #include "teach/marking/faults.h"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 
 namespace sandbox {
@@ -67,6 +68,9 @@ MarkTerm payer(const FaultTerms &wanted, const Exercise &exercise) {
     return last;
 }
 
+/// What a factor of 0 leaves out.
+constexpr std::array<std::string_view, 3> light_words{"ambient", "diffuse", "specular"};
+
 /// The factor that a convention's name ends in: "0.5" of "ambient=0.5".
 ErrorKind kind_of_factor(const std::string &value, ErrorKind otherwise) {
     if (value.empty() || value.find_first_not_of("0123456789.e+-") != std::string::npos) {
@@ -91,6 +95,9 @@ Fault fault_of(const Convention &convention, const Exercise &exercise) {
     }
     std::string key(row->name.substr(0, row->name.find_last_not_of("=[") + 1));
     std::ranges::replace(key, '=', '.');
+    if (kind == Kind::missing && std::ranges::count(light_words, key) != 0) {
+        return {payer(row->terms, exercise), kind, fmt::format("mark.fault.{}-missing", key)};
+    }
     return {payer(row->terms, exercise), kind, "mark.convention." + key, {}, value};
 }
 

@@ -329,6 +329,9 @@ Compared compare_part(const Part &part, const Sides &sides, double tolerance, bo
     }
     Compared found = compared_samples(samples, tolerance);
     found.factor = ratio;
+    if (ratio && found.kind == ErrorKind::missing) {
+        found.kind = ErrorKind::too_dark; // no factor at all would be 1
+    }
     if (!ratio && found.kind == ErrorKind::missing && found.state == Compared::State::wrong &&
         compared_samples(whole_pictures(part.shown.dark, sides), tolerance).state == Compared::State::wrong) {
         found.kind = ErrorKind::unheeding;
@@ -346,15 +349,19 @@ std::optional<bool> parts_agree(const Part &part, const Sides &sides, double tol
     if (samples.answer.size() < least_pixels) {
         return std::nullopt;
     }
-    std::size_t showing = 0, wrong = 0;
+    std::size_t showing = 0, wrong = 0, shown_finite = 0;
     for (std::size_t i = 0; i < samples.answer.size(); ++i) {
         const glm::vec3 &a = samples.answer[i], &b = samples.truth[i];
+        shown_finite += finite(a) && finite(b) ? 1 : 0;
         const double size = largest(b) * samples.weight[i];
         const bool same = finite(a) && finite(b)
                               ? largest(a - b) * samples.weight[i] <= tolerance + relative_rounding * size
                               : finite(a) == finite(b);
         wrong += same ? 0 : 1;
         showing += size > tolerance || !same ? 1 : 0;
+    }
+    if (2 * shown_finite < samples.answer.size()) {
+        return std::nullopt; // one NaN is like another
     }
     return static_cast<double>(wrong) <= line_strays * static_cast<double>(showing);
 }

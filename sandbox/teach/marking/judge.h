@@ -65,7 +65,7 @@ constexpr double stray_share = 0.002;
 Compared compare_part(const Part &part, const Sides &sides, double tolerance, bool forgive_dark = false);
 
 /// Does the answer show the part as `sides.truth` does, which need not be the truth here? Nothing where too few pixels
-/// show it. Light above white may differ in its last digits.
+/// show it, or most are not finite. Light above white may differ in its last digits.
 std::optional<bool> parts_agree(const Part &part, const Sides &sides, double tolerance);
 
 /// Throws what drawing throws.

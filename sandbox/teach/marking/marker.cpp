@@ -2,10 +2,12 @@
 
 #include "image/error.h"
 #include "reference/reference.h"
+#include "shading/own_text.h"
 #include "teach/marking/naming.h"
 #include "teach/marking/truth.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 
 namespace sandbox {
 namespace {
@@ -25,6 +27,22 @@ Image decoded_image(Image image, Encoding encoding) {
         }
     }
     return image;
+}
+
+/// Where two pictures differ most.
+WorstPixel worst_pixel(const Image &student, const Image &truth) {
+    std::size_t worst = 0;
+    float most = 0;
+    for (std::size_t i = 0; i < truth.pixels.size(); ++i) {
+        const glm::vec4 by = glm::abs(student.pixels[i] - truth.pixels[i]);
+        if (const float here = std::max({by.x, by.y, by.z}); here > most) {
+            most = here;
+            worst = i;
+        }
+    }
+    const auto width = static_cast<std::size_t>(truth.size.width);
+    return {0, static_cast<int>(worst % width), static_cast<int>(worst / width), glm::vec3(student.pixels[worst]),
+            glm::vec3(truth.pixels[worst])};
 }
 
 bool all_right(const Judgement &judgement) { return std::ranges::all_of(judgement.terms, &TermResult::is_right); }
@@ -54,7 +72,21 @@ struct Marker::Impl {
         return {answer, truth.pictures(), truth.masks(), exercise.find(MarkTerm::robustness) != nullptr};
     }
 
+    void refuse_other_words(const OwnText &text) const {
+        for (const std::string &word : exercise.has) {
+            if (!text.names(word)) {
+                throw InputError("{}: the exercise asks for '{}', which is not in it", text.file, word);
+            }
+        }
+        for (const std::string &word : exercise.lacks) {
+            if (text.names(word)) {
+                throw InputError("{}: the exercise asks to do without '{}'", text.file, word);
+            }
+        }
+    }
+
     Mark mark_own(const OwnShader &text) {
+        refuse_other_words(*text);
         const Technique technique = own_technique(exercise, text);
         double milliseconds = 0;
         const auto drawn = [&](const Scene &scene, Size size) {
@@ -222,12 +254,7 @@ struct Marker::Impl {
                 std::ranges::any_of(mark.faults, [&](const Fault &fault) { return fault.term == row.term; });
             TermResult result{row.term, 1, pays ? 0U : 1U, {}, false};
             if (pays) {
-                result.worst = {0,
-                                found.pixel.x,
-                                found.pixel.y,
-                                found.pixel.picture / 255.0,
-                                found.pixel.right / 255.0,
-                                ErrorKind::shape};
+                result.worst = worst_pixel(mark.student, mark.truth);
             }
             mark.judgement.terms.push_back(result);
         }

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-/// Marks as a terminal's table, as JSON, as CSV and as pages. The same marks give the same bytes: there is no time and
+/// Marks as a terminal's table, as JSON and as CSV. The same marks give the same bytes: there is no time and
 /// no date in them.
 namespace sandbox {
 
@@ -27,11 +27,5 @@ std::string marks_json(const Exercise &exercise, std::span<const MarkedAnswer> a
 
 /// Columns: answer, points, of, a column a term, said.
 std::string marks_csv(const Exercise &exercise, std::span<const MarkedAnswer> answers);
-
-/// The page of one answer, self-contained.
-std::string mark_html(const Words &words, const Exercise &exercise, const MarkedAnswer &answer);
-
-/// Links to the pages of all.
-std::string marks_index(const Words &words, const Exercise &exercise, std::span<const MarkedAnswer> answers);
 
 } // namespace sandbox

@@ -47,15 +47,14 @@ class Sentences {
         const Fault *fault = fault_of(result.term);
         const bool told = worst.kind == ErrorKind::not_finite || worst.kind == ErrorKind::unheeding;
         if (hints_ >= 2 && !told) {
-            const bool missing = worst.kind == ErrorKind::missing;
-            text +=
-                kind(result.term, fault != nullptr && !missing ? fault->kind : worst.kind) + words_.text("mark.space");
+            const bool missing = worst.kind == ErrorKind::missing && !worst.factor;
+            text += kind(result.term, fault != nullptr && !missing ? fault->kind : worst.kind) + " ";
         }
         if (hints_ >= 3 && fault != nullptr) {
             text += fault_text(*fault);
         }
         text.resize(text.find_last_not_of(' ') + 1);
-        return text;
+        return spaced(words_, text);
     }
 
   private:
@@ -99,7 +98,10 @@ class Sentences {
             const bool strength = kind == ErrorKind::too_bright || kind == ErrorKind::too_dark;
             return words_.text("mark.kind.sum." + (strength ? word : "shape"));
         }
-        return words_.text("mark.kind." + word);
+        const bool multiplies = term == MarkTerm::attenuation || term == MarkTerm::cone;
+        const bool by_a_factor =
+            kind == ErrorKind::too_bright || kind == ErrorKind::too_dark || kind == ErrorKind::missing;
+        return words_.text((multiplies && by_a_factor ? "mark.kind.factor." : "mark.kind.") + word);
     }
     [[nodiscard]] std::string fault_text(const Fault &fault) const {
         if (fault.setting < 0) {

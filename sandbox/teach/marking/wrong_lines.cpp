@@ -1,6 +1,8 @@
-#include "shading/own_files.h"
-#include "teach/marking/faults.h"
+#include "teach/marking/wrong_lines.h"
 
+#include "shading/own_files.h"
+
+#include <string>
 #include <utility>
 
 namespace sandbox {
@@ -67,7 +69,7 @@ constexpr WrongLine lines[]{
     {"view-reversed", {specular}, Kind::elsewhere, "normalize(eye - P)", "normalize(P - eye)"},
     {"view-not-unit", {specular}, Kind::too_wide, "normalize(eye - P)", "(eye - P)"},
     {"view-from-origin", {specular}, Kind::elsewhere, "normalize(eye - P)", "normalize(eye)"},
-    {"half-not-unit", {specular}, Kind::too_wide, "normalize(L + V)", "(L + V)"},
+    {"half-not-unit", {specular}, Kind::too_bright, "normalize(L + V)", "(L + V)"},
     {"half-averaged", {specular}, Kind::too_narrow, "normalize(L + V)", "((L + V) / 2.0)"},
     {"half-of-difference", {specular}, Kind::elsewhere, "normalize(L + V)", "normalize(L - V)"},
     {"not-gated",
