@@ -4,11 +4,11 @@
 #include "commands/interrupt.h"
 #include "commands/progress_bar.h"
 #include "commands/session.h"
-#include "shading/own_files.h"
 #include "teach/marking/answer_names.h"
 #include "teach/marking/exercise_read.h"
 #include "teach/marking/marks_page.h"
 #include "teach/marking/sentences.h"
+#include "teach/marking/student_file.h"
 
 #include <algorithm>
 #include <chrono>
@@ -48,26 +48,11 @@ void write_inside(const std::filesystem::path &folder, const std::string &name, 
     write_output(path, bytes);
 }
 
-/// Comment lines of at most a hundred characters.
-std::string comment(std::string_view text) {
-    constexpr std::size_t longest = 100;
-    std::string out;
-    while (!text.empty()) {
-        const std::size_t space = text.size() > longest ? text.rfind(' ', longest) : std::string_view::npos;
-        out += fmt::format("// {}\n", text.substr(0, space));
-        text.remove_prefix(space == std::string_view::npos ? text.size() : space + 1);
-    }
-    return out;
-}
-
 /// EXERCISE.json as students get it, and EXERCISE.glsl to begin with.
 int write_student_copy(const MarkFlags &flags, const Exercise &exercise, const CommonOptions &common) {
     make_folder(flags.student);
-    std::string text = comment(plain_text(exercise.title.text)) + comment(plain_text(exercise.task.text)) +
-                       fmt::format("//   shading-sandbox mark {0}.json {0}.glsl\n//\n", exercise.name);
-    text += own_starter({}, exercise.target, ShaderParts(shader_assets(common)));
     write_inside(flags.student, exercise.name + ".json", student_copy(exercise));
-    write_inside(flags.student, exercise.name + ".glsl", text);
+    write_inside(flags.student, exercise.name + ".glsl", student_file(exercise, ShaderParts(shader_assets(common))));
     return 0;
 }
 
