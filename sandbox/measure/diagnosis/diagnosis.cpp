@@ -1,5 +1,6 @@
 #include "measure/diagnosis/diagnosis.h"
 
+#include "image/error.h"
 #include "measure/diagnosis/linear_fit.h"
 #include "measure/diagnosis/search.h"
 #include "measure/metrics/metrics.h"
@@ -271,11 +272,37 @@ class Diagnostician {
         diagnosis.ties = search_.ties(*explanation.pictures, rivals, found, explanation.reading);
         const bool right = found.faults == 0 && explanation.conventions.empty();
         diagnosis.verdict = right ? Verdict::right : diagnosis.ties.empty() ? Verdict::named : Verdict::tied;
-        if (!diagnosis.ties.empty()) {
-            diagnosis.proposal =
-                propose(diagnosis.technique, diagnosis.ties, request_.trials, draw_, [this] { report(); });
+        for (const auto &trials : request_.trials) {
+            if (!diagnosis.ties.empty() && !diagnosis.proposal) {
+                diagnosis.proposal = propose(diagnosis.technique, diagnosis.ties, trials, draw_, [this] { report(); });
+            }
+        }
+        if (diagnosis.proposal && request_.redraw && explanation.pictures == plain_) {
+            diagnosis.after_proposal = second_look(diagnosis, explanation.reading);
         }
         show(*explanation.pictures, explanation.reading, found.compared, diagnosis);
+    }
+
+    /// Those that explain every pixel; if none does, those that explain all that `compare` compares.
+    SecondLook second_look(const Diagnosis &diagnosis, const Reading &reading) {
+        SecondLook look;
+        std::vector<Technique> all = diagnosis.ties;
+        all.insert(all.begin(), diagnosis.technique);
+        try {
+            const Observed observed = request_.redraw(diagnosis.proposal->scene);
+            Search search(diagnosis.proposal->scene, observed, draw_, [this] { report(); });
+            ScenePictures pictures(diagnosis.proposal->scene, draw_, search.samples());
+            for (const Strictness strictness : {Strictness::everywhere, Strictness::masked}) {
+                if (look.remaining.empty()) {
+                    std::ranges::copy_if(all, std::back_inserter(look.remaining), [&](const Technique &technique) {
+                        return search.explain(pictures, {{technique, {technique}, 0}}, reading, strictness).has_value();
+                    });
+                }
+            }
+        } catch (const InputError &error) {
+            look.error = error.what();
+        }
+        return look;
     }
 
     /// The first base that the scene does not refuse.

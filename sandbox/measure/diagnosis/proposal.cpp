@@ -2,11 +2,13 @@
 
 #include "image/error.h"
 #include "measure/diagnosis/levels.h"
+#include "scene/light_kind.h"
 #include "scene/scene_file.h"
 #include "scene/scene_setting.h"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 #include <limits>
 
 namespace sandbox {
@@ -31,6 +33,20 @@ std::vector<std::string> changes_of(const Scene &scene) {
     seen_from({away.z, away.y, -away.x});  // from the side
     seen_from({-away.x, away.y, -away.z}); // from behind
     seen_from(0.6 * away);
+    for (std::size_t i = 0; i < scene.lights.size() && i < 2; ++i) {
+        const Light &light = scene.lights[i];
+        const auto change = [&](const char *key, const std::string &value) {
+            changes.push_back(fmt::format("lights[{}].{}={}", i, key, value));
+        };
+        const glm::dvec3 above{0, 0.2 * glm::length(away), 0};
+        if (!has_position(light)) {
+            change("direction", vector(away - above)); // from behind: only grazing light is seen
+            continue;
+        }
+        change("position", vector(scene.camera.target - 0.7 * away + above));
+        change("position", vector(scene.camera.target + 0.3 * (light.position - scene.camera.target)));
+        change("attenuation.quadratic", fmt::format("{:g}", light.attenuation.quadratic + 1));
+    }
     for (std::size_t i = 0; i < scene.objects.size() && i < 2; ++i) {
         const Object &object = scene.objects[i];
         const auto change = [&](const char *key, const std::string &value) {
@@ -46,10 +62,11 @@ std::vector<std::string> changes_of(const Scene &scene) {
 }
 
 struct Told {
-    std::vector<Technique> ties;
+    std::vector<Technique> ties; ///< that differ from the technique
     double least = std::numeric_limits<double>::infinity();
+    std::size_t pairs = 0; ///< of the technique and its ties that differ from each other
     [[nodiscard]] bool better_than(const Told &other) const {
-        return ties.size() != other.ties.size() ? ties.size() > other.ties.size() : least > other.least;
+        return pairs != other.pairs ? pairs > other.pairs : least > other.least;
     }
 };
 
@@ -61,7 +78,7 @@ Told told_by(const Scene &scene, const Technique &technique, const std::vector<T
     if (!first) {
         return told;
     }
-    const Levels levels = shown_levels(*first, {}, true);
+    std::vector<Levels> drawn{shown_levels(*first, {}, true)};
     const std::vector<std::uint8_t> everywhere(first->pixels.size(), 1); // the background is the same
     for (const Technique &tie : ties) {
         report();
@@ -69,18 +86,26 @@ Told told_by(const Scene &scene, const Technique &technique, const std::vector<T
         if (!other) {
             continue;
         }
-        const Difference difference = difference_of(levels, shown_levels(*other, {}, true), everywhere, told_levels);
-        if (difference.over >= least_pixels) {
-            told.ties.push_back(tie);
-            told.least = std::min(told.least, difference.largest);
+        Levels levels = shown_levels(*other, {}, true);
+        for (const Levels &earlier : drawn) {
+            const Difference difference = difference_of(earlier, levels, everywhere, told_levels);
+            if (difference.over < least_pixels) {
+                continue;
+            }
+            ++told.pairs;
+            if (&earlier == &drawn.front()) {
+                told.ties.push_back(tie);
+                told.least = std::min(told.least, difference.largest);
+            }
         }
+        drawn.push_back(std::move(levels));
     }
     return told;
 }
 
 } // namespace
 
-std::vector<TrialScene> trial_scenes(const Scene &scene, const std::string &arguments, const Assets &assets) {
+std::vector<TrialScene> changed_scenes(const Scene &scene, const std::string &arguments) {
     std::vector<TrialScene> trials;
     const auto add = [&](const std::string &words, const Scene &trial) {
         if (!(trial == scene)) {
@@ -97,6 +122,16 @@ std::vector<TrialScene> trial_scenes(const Scene &scene, const std::string &argu
             continue; // the scene takes no such change: an object without that key
         }
     }
+    return trials;
+}
+
+std::vector<TrialScene> trial_scenes(const Scene &scene, const std::string &arguments, const Assets &assets) {
+    std::vector<TrialScene> trials = changed_scenes(scene, arguments);
+    const auto add = [&](const std::string &words, const Scene &trial) {
+        if (!(trial == scene)) {
+            trials.push_back({words, trial});
+        }
+    };
     for (const std::string &name : builtin_scenes(assets)) {
         const Scene built_in = open_scene(name, assets);
         add(name, built_in);
@@ -112,6 +147,7 @@ std::optional<Proposal> propose(const Technique &technique, const std::vector<Te
                                 const std::function<void()> &report) {
     std::vector<Technique> tried = ties;
     tried.resize(std::min(tried.size(), most_tried_ties));
+    const std::size_t all_pairs = tried.size() * (tried.size() + 1) / 2;
     Told best;
     const TrialScene *chosen = nullptr;
     std::size_t since = 0;
@@ -124,7 +160,7 @@ std::optional<Proposal> propose(const Technique &technique, const std::vector<Te
             best = std::move(told);
             chosen = &trial;
             since = 0;
-            if (best.ties.size() == tried.size() && best.least >= plenty) {
+            if (best.pairs == all_pairs && best.least >= plenty) {
                 break;
             }
         }
@@ -132,7 +168,7 @@ std::optional<Proposal> propose(const Technique &technique, const std::vector<Te
     if (chosen == nullptr) {
         return std::nullopt;
     }
-    return Proposal{chosen->arguments, std::move(best.ties), best.least};
+    return Proposal{chosen->arguments, chosen->scene, std::move(best.ties), best.least};
 }
 
 } // namespace sandbox

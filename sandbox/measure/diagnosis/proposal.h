@@ -17,10 +17,13 @@ struct TrialScene {
 /// `scene`, which commands call `arguments`, turned, seen nearer and with other materials; then the built-in scenes.
 /// Those that show the scene as it is are left out.
 std::vector<TrialScene> trial_scenes(const Scene &scene, const std::string &arguments, const Assets &assets);
+/// The first part of them: the scene itself, changed.
+std::vector<TrialScene> changed_scenes(const Scene &scene, const std::string &arguments);
 
-/// The trial that tells most of the ties apart from a technique, among those by most levels of 8 bits.
+/// The trial that tells most of a technique and its ties apart from each other, among those by most levels of 8 bits.
 struct Proposal {
     std::string arguments;
+    Scene scene;
     std::vector<Technique> told; ///< the ties that differ there by at least told_levels
     double levels = 0;           ///< the least of those differences' largest
 };

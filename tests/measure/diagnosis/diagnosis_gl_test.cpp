@@ -25,7 +25,7 @@ TEST_F(DiagnosisOnTheRenderer, SingleFaultsAreNamedOrHonestlyTied) {
         for (const char *base : {"per-vertex/phong", "per-pixel/blinn-phong"}) {
             for (const FaultyPicture &picture :
                  faulty_pictures(name, scene(name), parse_technique(base), 1, draw, size)) {
-                table.add(picture, diagnose({picture.scene, picture.observed, picture.base, {}}, draw));
+                table.add(picture, diagnose({picture.scene, picture.observed, picture.base, {}, {}}, draw));
             }
         }
     }
@@ -37,7 +37,7 @@ TEST_F(DiagnosisOnTheRenderer, PairsOfFaultsAreNamedOrTiedAndNeverTakenForOne) {
     ConfusionTable table;
     for (const FaultyPicture &picture : faulty_pictures("three-point-lights", scene("three-point-lights"),
                                                         parse_technique("per-pixel/phong"), 2, draw, size, 9)) {
-        table.add(picture, diagnose({picture.scene, picture.observed, picture.base, {}}, draw));
+        table.add(picture, diagnose({picture.scene, picture.observed, picture.base, {}, {}}, draw));
     }
     EXPECT_EQ(table.count(Naming::misnamed), 0U) << table.text();
     EXPECT_GE(table.count(Naming::named) + table.count(Naming::tied), 4 * table.count(Naming::unknown)) << table.text();
@@ -51,7 +51,7 @@ TEST_F(DiagnosisOnTheRenderer, TiesAreExactlyThoseWithinALevel) {
         return to_display(draw.picture(studio, technique, size, false).color);
     };
     const ByteImage right = bytes(base);
-    const Diagnosis diagnosis = diagnose({studio, {from_bytes(size, right.rgb.data(), 3), true}, base, {}}, draw);
+    const Diagnosis diagnosis = diagnose({studio, {from_bytes(size, right.rgb.data(), 3), true}, base, {}, {}}, draw);
     EXPECT_EQ(diagnosis.verdict, Verdict::right);
     EXPECT_EQ(diagnosis.technique, base);
     EXPECT_EQ(diagnosis.residual.largest, 0);

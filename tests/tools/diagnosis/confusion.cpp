@@ -48,7 +48,8 @@ int run(std::size_t faults, Size size, std::size_t every, bool searched) {
                 const auto start = std::chrono::steady_clock::now();
                 const double cpu = cpu_seconds();
                 const Diagnosis diagnosis = diagnose(
-                    {picture.scene, picture.observed, searched ? std::nullopt : std::optional(picture.base), {}}, draw);
+                    {picture.scene, picture.observed, searched ? std::nullopt : std::optional(picture.base), {}, {}},
+                    draw);
                 const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
                 longest = std::max(longest, time.count());
                 longest_cpu = std::max(longest_cpu, cpu_seconds() - cpu);
