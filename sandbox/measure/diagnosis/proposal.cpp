@@ -70,23 +70,15 @@ struct Told {
     }
 };
 
-Told told_by(const Scene &scene, const Technique &technique, const std::vector<Technique> &ties,
-             const DiagnosisDraw &draw, const std::function<void()> &report) {
+Told told_by(const Scene &scene, const Technique &technique, const std::vector<Technique> &ties, Sampler &sampler,
+             const std::function<void()> &report) {
     Told told;
     report();
-    const auto first = cheap_picture(draw, scene, technique, trial_size);
-    if (!first) {
-        return told;
-    }
-    std::vector<Levels> drawn{shown_levels(*first, {}, true)};
-    const std::vector<std::uint8_t> everywhere(first->pixels.size(), 1); // the background is the same
+    std::vector<Levels> drawn{shown_levels(sampler.drawn(scene, technique), {}, true)};
+    const std::vector<std::uint8_t> everywhere(drawn[0].size() / 3, 1); // the background is the same
     for (const Technique &tie : ties) {
         report();
-        const auto other = cheap_picture(draw, scene, tie, trial_size);
-        if (!other) {
-            continue;
-        }
-        Levels levels = shown_levels(*other, {}, true);
+        Levels levels = shown_levels(sampler.drawn(scene, tie), {}, true);
         for (const Levels &earlier : drawn) {
             const Difference difference = difference_of(earlier, levels, everywhere, told_levels);
             if (difference.over < least_pixels) {
@@ -148,6 +140,7 @@ std::optional<Proposal> propose(const Technique &technique, const std::vector<Te
     std::vector<Technique> tried = ties;
     tried.resize(std::min(tried.size(), most_tried_ties));
     const std::size_t all_pairs = tried.size() * (tried.size() + 1) / 2;
+    Sampler sampler(draw, {trial_size, trial_size, 1});
     Told best;
     const TrialScene *chosen = nullptr;
     std::size_t since = 0;
@@ -155,7 +148,7 @@ std::optional<Proposal> propose(const Technique &technique, const std::vector<Te
         if (chosen != nullptr && best.least >= plenty && ++since > most_in_vain) {
             break;
         }
-        Told told = told_by(trial.scene, technique, tried, draw, report);
+        Told told = told_by(trial.scene, technique, tried, sampler, report);
         if (!told.ties.empty() && (chosen == nullptr || told.better_than(best))) {
             best = std::move(told);
             chosen = &trial;

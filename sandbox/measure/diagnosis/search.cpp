@@ -60,7 +60,7 @@ void keep_nearest(std::vector<Survivor> &survivors, std::vector<Survivor> ruled_
 
 Search::Search(const Scene &scene, const Observed &observed, const DiagnosisDraw &draw, std::function<void()> report)
     : scene_(scene), observed_(observed), draw_(draw), report_(std::move(report)),
-      samples_(point_samples(observed.numbers.size, most_samples)) {
+      sampler_(draw, point_samples(observed.numbers.size, most_samples)), samples_(sampler_.samples()) {
     report_();
     // Every technique puts the same triangles in the same places; without a specular term the program is small.
     Technique plain;
@@ -89,16 +89,11 @@ std::size_t Search::allowed(Strictness strictness) const {
     return std::max(least_allowed, static_cast<std::size_t>(share * static_cast<double>(sampled_count_)));
 }
 
-std::optional<Difference> Search::sampled_difference(ScenePictures &pictures, const Technique &technique,
-                                                     const Reading &reading) {
+Difference Search::sampled_difference(ScenePictures &pictures, const Technique &technique, const Reading &reading) {
     report_();
     ++drawn_;
-    const Image *image = pictures.samples(technique);
-    if (image == nullptr) {
-        return std::nullopt;
-    }
-    return difference_of(observed(reading, false), shown_levels(*image, reading, observed_.bytes), sampled_shown_,
-                         tolerated_levels);
+    return difference_of(observed(reading, false), shown_levels(pictures.samples(technique), reading, observed_.bytes),
+                         sampled_shown_, tolerated_levels);
 }
 
 PixelMask Search::masked_pixels(const ScenePictures &pictures, const Technique &technique) const {
@@ -112,6 +107,21 @@ PixelMask Search::masked_pixels(const ScenePictures &pictures, const Technique &
     return mask;
 }
 
+bool Search::hopeless_beside_masks(const ScenePictures &pictures, const Technique &technique, const Reading &reading) {
+    // The samples' pixels are larger, and so are their masks.
+    const ReferenceFrame truth =
+        render_reference(pictures.sampled_scene(), draw_.load(pictures.sampled_scene()), technique, samples_.size);
+    const std::vector<PixelUse> uses = pixel_uses(sampled(ids_, samples_), truth);
+    PixelMask mask = sampled_inside_;
+    for (std::size_t i = 0; i < mask.size(); ++i) {
+        mask[i] = mask[i] != 0 && uses[i] == PixelUse::compared ? 1 : 0;
+    }
+    // The picture tried may itself be a level from the one in double.
+    return difference_of(observed(reading, false), shown_levels(to_frame(truth).color, reading, observed_.bytes), mask,
+                         2 * tolerated_levels)
+               .over > least_allowed;
+}
+
 std::optional<Found> Search::explain(ScenePictures &pictures, const std::vector<Candidate> &candidates,
                                      const Reading &reading, Strictness strictness,
                                      const std::vector<Convention> &conventions) {
@@ -119,20 +129,24 @@ std::optional<Found> Search::explain(ScenePictures &pictures, const std::vector<
     std::vector<Survivor> survivors;
     std::vector<Survivor> ruled_out;
     for (const Candidate &candidate : candidates) {
-        const auto whole = sampled_difference(pictures, candidate.technique, reading);
-        if (!whole || whole->compared == 0) {
+        const Difference whole = sampled_difference(pictures, candidate.technique, reading);
+        if (whole.compared == 0) {
             continue;
         }
-        if (!nearest_ || whole->rms < nearest_->rms) {
-            nearest_ = {candidate.technique, reading, pictures.scene(), conventions, whole->rms};
+        if (!nearest_ || whole.rms < nearest_->rms) {
+            nearest_ = {candidate.technique, reading, pictures.scene(), conventions, whole.rms};
         }
-        const Image *image = pictures.samples(candidate.technique);
         const std::size_t over =
-            !masked ? whole->over
-                    : difference_of(observed(reading, false), shown_levels(*image, reading, observed_.bytes),
+            !masked ? whole.over
+                    : difference_of(observed(reading, false),
+                                    shown_levels(pictures.samples(candidate.technique), reading, observed_.bytes),
                                     sampled_inside_, tolerated_levels)
                           .over;
-        (over <= allowed(strictness) ? survivors : ruled_out).push_back({&candidate, whole->rms});
+        if (over <= allowed(strictness)) {
+            survivors.push_back({&candidate, whole.rms});
+        } else if (2 * over < whole.compared) {
+            ruled_out.push_back({&candidate, whole.rms});
+        }
     }
     if (!masked && conventions.empty() && reading == Reading{}) {
         keep_nearest(survivors, ruled_out);
@@ -145,6 +159,9 @@ std::optional<Found> Search::explain(ScenePictures &pictures, const std::vector<
     }
     for (const auto &[candidate, rms] : survivors) {
         report_();
+        if (masked && hopeless_beside_masks(pictures, candidate->technique, reading)) {
+            continue;
+        }
         const auto image = pictures.whole(candidate->technique);
         if (!image) {
             continue;
@@ -162,50 +179,63 @@ std::optional<Found> Search::explain(ScenePictures &pictures, const std::vector<
 
 std::vector<Technique> Search::ties(ScenePictures &pictures, const std::vector<Candidate> &candidates,
                                     const Found &found, const Reading &reading) {
+    // Samples in double and of a program may be a level apart by rounding.
+    const PixelMask compared = sampled(found.compared, samples_);
+    const Levels some = shown_levels(pictures.samples(found.technique), reading, true);
+    std::vector<const Candidate *> close;
+    for (const Candidate &candidate : candidates) {
+        report_();
+        if (candidate.technique == found.technique ||
+            difference_of(some, shown_levels(pictures.samples(candidate.technique), reading, true), compared,
+                          2 * tolerated_levels)
+                    .over <= allowed(Strictness::everywhere)) {
+            close.push_back(&candidate);
+        }
+    }
     Reading clamping = reading;
     clamping.clamped = true;
-    const Levels whole = shown_levels(pictures.whole(found.technique).value(), reading, true);
-    const Levels some = shown_levels(*pictures.samples(found.technique), reading, true);
-    const PixelMask compared = sampled(found.compared, samples_);
+    constexpr std::size_t few = 3; // programs of their own are built sooner than the one for all
     std::optional<Levels> cheap_found;
-    if (const auto image = pictures.cheap_whole(found.technique)) {
+    if (const auto image = close.size() > few ? pictures.cheap_whole(found.technique) : std::nullopt) {
         cheap_found = shown_levels(*image, clamping, false);
     }
-    std::vector<Technique> tied;
-    const auto add = [&](const std::vector<Technique> &same) {
-        std::ranges::copy_if(same, std::back_inserter(tied), [&](const Technique &t) { return t != found.technique; });
-    };
-    for (const Candidate &candidate : candidates) {
-        if (candidate.technique == found.technique) {
-            add(candidate.same);
-            continue;
+    const Levels whole = shown_levels(pictures.whole(found.technique).value(), reading, true);
+    const auto is_tied = [&](const Technique &technique) {
+        if (technique == found.technique) {
+            return true;
         }
-        report_();
-        const Image *image = pictures.samples(candidate.technique);
-        if (image == nullptr ||
-            difference_of(some, shown_levels(*image, reading, true), compared, tolerated_levels).over >
-                allowed(Strictness::everywhere)) {
-            continue;
-        }
-        const auto cheap = pictures.cheap_whole(candidate.technique);
-        if (cheap && cheap_found) {
+        if (const auto cheap = cheap_found ? pictures.cheap_whole(technique) : std::nullopt) {
             const Levels levels = shown_levels(*cheap, clamping, false);
             if (difference_of(*cheap_found, levels, found.compared, 0).largest <= surely_tied) {
-                add(candidate.same);
-                continue;
+                return true;
             }
             if (difference_of(*cheap_found, levels, found.compared, surely_apart).over > least_allowed) {
-                continue;
+                return false;
             }
         }
-        const auto other = pictures.whole(candidate.technique);
-        if (other &&
-            difference_of(whole, shown_levels(*other, reading, true), found.compared, tolerated_levels).largest <=
-                tolerated_levels) {
-            add(candidate.same);
+        const auto other = pictures.whole(technique);
+        return other &&
+               difference_of(whole, shown_levels(*other, reading, true), found.compared, 0).largest <= tolerated_levels;
+    };
+    std::vector<Technique> tied;
+    for (const Candidate *candidate : close) {
+        report_();
+        if (is_tied(candidate->technique)) {
+            std::ranges::copy_if(candidate->same, std::back_inserter(tied),
+                                 [&](const Technique &t) { return t != found.technique; });
         }
     }
     return tied;
+}
+
+bool Search::may_explain(const Equations &equations, const std::vector<double> &light, const Reading &reading) {
+    const Levels &levels = observed(reading, false);
+    std::size_t over = 0;
+    for (std::size_t i = 0; i < light.size(); ++i) {
+        const double level = 255 * encoded(light[i], reading.encoding);
+        over += std::abs(level - static_cast<double>(levels[equations.values[i]])) > 2 * tolerated_levels ? 1 : 0;
+    }
+    return over <= 3 * allowed(Strictness::masked); // three channels a sample
 }
 
 Search::Equations Search::equations(const Reading &reading) const {
