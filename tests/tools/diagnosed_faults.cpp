@@ -98,10 +98,15 @@ std::vector<FaultyPicture> unconventional_pictures(const std::string &scene_name
             const Image drawn = draw.picture(edit.scene, plain.truth, size, false).color;
             const Levels levels = shown_levels(drawn, reading, true);
             const std::vector<std::uint8_t> all(drawn.pixels.size(), 1);
+            // Another way may draw the same: all light weaker, and the only light weaker.
+            const bool is_first = std::ranges::none_of(ways, [&, &edit = edit, &reading = reading](const auto &way) {
+                return &way.first < &edit && way.second == reading &&
+                       levels_between(drawn, draw.picture(way.first.scene, plain.truth, size, false).color) <= 1;
+            });
             const auto differs = [&](const Levels &other) {
                 return difference_of(levels, other, all, 0).largest > visible;
             };
-            if (!differs(shown_levels(draw.picture(edit.scene, base, size, false).color, reading, true)) ||
+            if (!is_first || !differs(shown_levels(draw.picture(edit.scene, base, size, false).color, reading, true)) ||
                 !differs(observed_levels(plain.observed, {}))) {
                 continue;
             }
@@ -171,7 +176,7 @@ std::size_t ConfusionTable::count(Naming naming) const {
 
 std::string ConfusionTable::text() const {
     const auto line = [](const std::string &name, const auto &...columns) {
-        return fmt::format("{:<62}", name) + (fmt::format("{:>9}", columns) + ...) + "\n";
+        return fmt::format("{:<62}", name) + (fmt::format("{:>11}", columns) + ...) + "\n";
     };
     std::string text = line("fault", "named", "tied", "then told", "unknown", "misnamed");
     std::size_t told = 0;

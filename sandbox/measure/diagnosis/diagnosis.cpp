@@ -63,14 +63,15 @@ class Diagnostician {
             auto two = explain_by_two({base_of(explanation->found.technique)}, Strictness::everywhere);
             return two ? two : explanation;
         }
-        if (auto explanation = explain_by_light(bases_, 0, {Strictness::everywhere, Strictness::masked})) {
+        if (auto explanation = explain_by_light(bases_, 0, 1, 1, {Strictness::everywhere, Strictness::masked})) {
             return nearer_by_two(std::move(*explanation));
         }
-        return explain_by_two_things();
+        return explain_by_more();
     }
 
-    /// Two faults, or one under other light.
-    std::optional<Explanation> explain_by_two_things() {
+    /// Two faults, or one under other light; then light with several factors, which fit more than they explain.
+    std::optional<Explanation> explain_by_more() {
+        constexpr std::size_t any = 100;
         const std::vector<Technique> nearest = nearest_bases();
         const std::vector<Technique> some(nearest.begin(),
                                           nearest.begin() + std::min<std::ptrdiff_t>(std::ssize(nearest), 2));
@@ -78,7 +79,13 @@ class Diagnostician {
             if (auto explanation = explain_by_two(nearest, strictness)) {
                 return explanation;
             }
-            if (auto explanation = explain_by_light(some, 1, {strictness})) {
+            if (auto explanation = explain_by_light(some, 1, 1, 1, {strictness})) {
+                return explanation;
+            }
+            if (auto explanation = explain_by_light(bases_, 0, 2, any, {strictness})) {
+                return explanation;
+            }
+            if (auto explanation = explain_by_light(some, 1, 2, any, {strictness})) {
                 return explanation;
             }
         }
@@ -143,9 +150,11 @@ class Diagnostician {
 
     /// Other light under techniques of so many faults, however the numbers are written.
     std::optional<Explanation> explain_by_light(const std::vector<Technique> &bases, std::size_t faults,
+                                                std::size_t least_changes, std::size_t most_changes,
                                                 const std::vector<Strictness> &strictnesses) {
         for (const Encoding encoding : {Encoding::linear, Encoding::srgb, Encoding::gamma}) {
-            if (auto explanation = light_.explain(bases, faults, {.encoding = encoding}, strictnesses)) {
+            if (auto explanation = light_.explain(
+                    {bases, faults, least_changes, most_changes, {.encoding = encoding}, strictnesses})) {
                 return explanation;
             }
         }

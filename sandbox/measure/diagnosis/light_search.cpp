@@ -26,10 +26,9 @@ LightSearch::LightSearch(std::shared_ptr<ScenePictures> plain, const std::vector
     : plain_(std::move(plain)), resources_(resources), search_(search), report_(std::move(report)),
       parts_(linear_parts(plain_->scene())), pictures_{plain_} {}
 
-std::optional<Explanation> LightSearch::explain(const std::vector<Technique> &bases, std::size_t faults,
-                                                const Reading &reading, const std::vector<Strictness> &strictnesses) {
-    const Sought sought{bases, faults, reading, strictnesses};
-    for (const Edit &edit : scene_edits(plain_->scene())) {
+std::optional<Explanation> LightSearch::explain(const Sought &sought) {
+    const bool one = sought.least_changes <= 1;
+    for (const Edit &edit : one ? scene_edits(plain_->scene()) : std::vector<Edit>{}) {
         if (auto explanation = explain_by(edit, candidates(edit.scene, sought), sought)) {
             return explanation;
         }
@@ -39,7 +38,7 @@ std::optional<Explanation> LightSearch::explain(const std::vector<Technique> &ba
             return explanation;
         }
     }
-    return explain_by_exponent(sought);
+    return one ? explain_by_exponent(sought) : std::nullopt;
 }
 
 std::shared_ptr<ScenePictures> LightSearch::pictures_of(const Scene &scene) {
@@ -70,8 +69,8 @@ std::optional<Explanation> LightSearch::explain_by(const Edit &edit, const std::
 std::optional<Explanation> LightSearch::explain_by_parts(const LinearParts &parts, const Sought &sought) {
     const Search::Equations equations = search_.equations(sought.reading);
     for (const Candidate &candidate : candidates(plain_->scene(), sought)) {
-        if (const auto edit = fitted(parts, candidate.technique, sought.reading, equations)) {
-            if (auto explanation = explain_by(*edit, {candidate}, sought)) {
+        for (const Edit &edit : fitted(parts, candidate.technique, sought, equations)) {
+            if (auto explanation = explain_by(edit, {candidate}, sought)) {
                 return explanation;
             }
         }
@@ -79,8 +78,8 @@ std::optional<Explanation> LightSearch::explain_by_parts(const LinearParts &part
     return std::nullopt;
 }
 
-std::optional<Edit> LightSearch::fitted(const LinearParts &parts, const Technique &technique, const Reading &reading,
-                                        const Search::Equations &equations) {
+std::vector<Edit> LightSearch::fitted(const LinearParts &parts, const Technique &technique, const Sought &sought,
+                                      const Search::Equations &equations) {
     const auto column = [&](const Scene &scene) {
         std::vector<double> values(equations.values.size());
         if (!is_dark(scene)) {
@@ -92,33 +91,46 @@ std::optional<Edit> LightSearch::fitted(const LinearParts &parts, const Techniqu
         }
         return values;
     };
-    std::vector<double> light = column(parts.rest);
+    const std::vector<double> rest = column(parts.rest);
     std::vector<double> target = equations.light;
     for (std::size_t i = 0; i < target.size(); ++i) {
-        target[i] -= light[i];
+        target[i] -= rest[i];
     }
     std::vector<std::vector<double>> columns;
     std::ranges::transform(parts.parts, std::back_inserter(columns), column);
-    auto factors = fitted_factors(columns, target);
-    if (!factors) {
-        return std::nullopt;
-    }
-    std::ranges::transform(*factors, factors->begin(), plain_factor);
-    for (std::size_t part = 0; part < columns.size(); ++part) {
-        for (std::size_t i = 0; i < light.size(); ++i) {
-            light[i] += (*factors)[part] * columns[part][i];
+    const auto exact = fitted_factors(columns, target);
+    std::vector<Edit> edits;
+    for (const double digits : {1.0, 10.0, 100.0, 1000.0}) {
+        if (!exact) {
+            break;
+        }
+        std::vector<double> factors;
+        std::ranges::transform(*exact, std::back_inserter(factors),
+                               [&](double factor) { return plain_factor(factor, digits); });
+        std::vector<double> light = rest;
+        for (std::size_t part = 0; part < columns.size(); ++part) {
+            for (std::size_t i = 0; i < light.size(); ++i) {
+                light[i] += factors[part] * columns[part][i];
+            }
+        }
+        Edit edit = with_factors(plain_->scene(), parts, factors);
+        const bool is_new = edits.empty() || !(edits.back().scene == edit.scene);
+        const std::size_t changes = edit.conventions.size();
+        if (is_new && changes >= sought.least_changes && changes <= sought.most_changes &&
+            search_.may_explain(equations, light, sought.reading)) {
+            edits.push_back(std::move(edit));
         }
     }
-    const bool near = search_.may_explain(equations, light, reading);
-    Edit edit = with_factors(plain_->scene(), parts, *factors);
-    return near && !edit.conventions.empty() ? std::optional(std::move(edit)) : std::nullopt;
+    return edits;
+}
+
+double LightSearch::exponent_error(const Technique &technique, const Reading &reading, double octaves) {
+    const Scene scene = with_exponents(plain_->scene(), std::exp2(octaves)).scene;
+    return search_.sampled_difference(*pictures_of(scene), technique, reading).rms;
 }
 
 std::optional<double> LightSearch::exponent_factor(const Technique &technique, const Reading &reading) {
-    const auto error = [&](double octaves) {
-        const Scene scene = with_exponents(plain_->scene(), std::exp2(octaves)).scene;
-        return search_.sampled_difference(*pictures_of(scene), technique, reading).rms;
-    };
+    const auto error = [&](double octaves) { return exponent_error(technique, reading, octaves); };
     constexpr double rung = 0.5, most = 3;
     double best = 0;
     double least = error(0);
@@ -146,10 +158,12 @@ std::optional<double> LightSearch::exponent_factor(const Technique &technique, c
 
 std::optional<Explanation> LightSearch::explain_by_exponent(const Sought &sought) {
     std::vector<std::pair<double, Candidate>> nearest;
-    for (Candidate &candidate : candidates(plain_->scene(), sought)) {
+    for (const Candidate &candidate : candidates(plain_->scene(), sought)) {
         if (reflection(candidate.technique.model).specular) {
-            const Difference difference = search_.sampled_difference(*plain_, candidate.technique, sought.reading);
-            nearest.emplace_back(difference.rms, std::move(candidate));
+            const auto error = [&](double octaves) {
+                return exponent_error(candidate.technique, sought.reading, octaves);
+            };
+            nearest.emplace_back(std::min({error(-1), error(0), error(1)}), candidate);
         }
     }
     constexpr std::size_t most_tried = 4; // each takes some tens of pictures

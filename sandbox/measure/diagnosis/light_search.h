@@ -26,18 +26,16 @@ class LightSearch {
     LightSearch(std::shared_ptr<ScenePictures> plain, const std::vector<ObjectResources> &resources, Search &search,
                 std::function<void()> report);
 
-    /// By techniques of `bases` with exactly so many faults, 0 or 1.
-    std::optional<Explanation> explain(const std::vector<Technique> &bases, std::size_t faults, const Reading &reading,
-                                       const std::vector<Strictness> &strictnesses);
-
-  private:
-    /// What is sought.
     struct Sought {
         std::vector<Technique> bases;
-        std::size_t faults;
+        std::size_t faults;                      ///< of the techniques, exactly: 0 or 1
+        std::size_t least_changes, most_changes; ///< of the light, at least 1
         Reading reading;
         std::vector<Strictness> strictnesses;
     };
+    std::optional<Explanation> explain(const Sought &sought);
+
+  private:
     /// The pictures of a scene, the same for the same scene.
     std::shared_ptr<ScenePictures> pictures_of(const Scene &scene);
     [[nodiscard]] std::vector<Candidate> candidates(const Scene &scene, const Sought &sought) const;
@@ -46,10 +44,12 @@ class LightSearch {
                                           const Sought &sought);
     std::optional<Explanation> explain_by_parts(const LinearParts &parts, const Sought &sought);
     std::optional<Explanation> explain_by_exponent(const Sought &sought);
-    /// The parts' factors by least squares over the samples; nothing where even these draw another picture, or where
-    /// all are 1.
-    std::optional<Edit> fitted(const LinearParts &parts, const Technique &technique, const Reading &reading,
-                               const Search::Equations &equations);
+    /// The parts' factors by least squares over the samples, rounded to whole numbers, to tenths, ... as people choose
+    /// them; those roundings that may draw the picture, the coarsest first.
+    std::vector<Edit> fitted(const LinearParts &parts, const Technique &technique, const Sought &sought,
+                             const Search::Equations &equations);
+    /// By how much it is off with exponents so many octaves higher: levels.
+    double exponent_error(const Technique &technique, const Reading &reading, double octaves);
     /// The factor on the exponents that comes nearest, searched: on a coarse ladder, then by golden section around its
     /// best rung. Nothing where no factor comes near.
     std::optional<double> exponent_factor(const Technique &technique, const Reading &reading);

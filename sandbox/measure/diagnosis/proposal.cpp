@@ -14,13 +14,13 @@
 namespace sandbox {
 namespace {
 
-constexpr Size trial_size{120, 90};
+constexpr Size trial_size{80, 60};
 /// Levels: a scene that tells all by so many is good enough, whatever others might do.
 constexpr double plenty = 24;
 /// ... and trials after it that tell no more.
 constexpr std::size_t most_in_vain = 8;
 /// A few pixels at an edge tell nothing.
-constexpr std::size_t least_pixels = 6;
+constexpr std::size_t least_pixels = 3;
 
 /// Changes of the scene at hand that faults show under.
 std::vector<std::string> changes_of(const Scene &scene) {

@@ -43,6 +43,16 @@ TEST_F(DiagnosisOnTheRenderer, PairsOfFaultsAreNamedOrTiedAndNeverTakenForOne) {
     EXPECT_GE(table.count(Naming::named) + table.count(Naming::tied), 4 * table.count(Naming::unknown)) << table.text();
 }
 
+TEST_F(DiagnosisOnTheRenderer, AFaultUnderOtherLightOrWrittenOtherwiseIsNamed) {
+    ConfusionTable table;
+    for (const FaultyPicture &picture : unconventional_pictures("three-point-lights", scene("three-point-lights"),
+                                                                parse_technique("per-pixel/phong"), draw, size, 37)) {
+        table.add(picture, diagnose({picture.scene, picture.observed, picture.base, {}, {}}, draw));
+    }
+    EXPECT_EQ(table.count(Naming::misnamed) + table.count(Naming::unknown), 0U) << table.text();
+    EXPECT_GT(table.count(Naming::named), 4U) << table.text();
+}
+
 /// Every technique with at most one fault is drawn whole, and compared.
 TEST_F(DiagnosisOnTheRenderer, TiesAreExactlyThoseWithinALevel) {
     const Scene studio = scene("studio");

@@ -148,10 +148,11 @@ TEST(Conventions, PartsOfTheLightAddUpAndTakeFactors) {
 }
 
 TEST(Conventions, FactorsArePlainNumbers) {
-    EXPECT_EQ(plain_factor(0.99998), 1);
-    EXPECT_EQ(plain_factor(-1e-4), 0);
-    EXPECT_EQ(plain_factor(1.9981), 2);
-    EXPECT_EQ(plain_factor(0.70012), 0.7);
+    EXPECT_EQ(plain_factor(0.99998, 1), 1);
+    EXPECT_EQ(plain_factor(-0.7, 10), 0);
+    EXPECT_EQ(plain_factor(1.9981, 10), 2);
+    EXPECT_EQ(plain_factor(0.7031, 10), 0.7);
+    EXPECT_EQ(plain_factor(0.7031, 1000), 0.703);
 }
 
 TEST(Conventions, EditsAreThoseThatTheSceneCanShow) {
