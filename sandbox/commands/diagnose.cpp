@@ -84,10 +84,10 @@ int run_diagnose(const DiagnoseFlags &flags, const CommonOptions &common) {
     const OwnShader own = read_own(flags.own);
     DiagnosisRequest request{open_scene(common, flags.scene, flags.view), {}, known_technique(flags, own), {}, {}};
     const std::string arguments = scene_arguments(common, flags.scene, flags.view);
-    request.trials = {trial_scenes(request.scene, arguments, scene_assets(common))};
     if (own) { // it may hold for such a scene alone
-        request.trials.insert(request.trials.begin(), changed_scenes(request.scene, arguments));
+        request.trials = {changed_scenes(request.scene, arguments), builtin_trials(scene_assets(common))};
     } else {
+        request.trials = {trial_scenes(request.scene, arguments, scene_assets(common))};
         request.observed = read_picture(flags.picture);
         with_flag(flags.picture.string(), [&] { check_size(request.observed.numbers.size); });
     }
@@ -128,8 +128,8 @@ void add_diagnose(CLI::App &app, CommonOptions &common, Run &run) {
     add_value(command, "--own", "FILE.glsl", flags->own, "Own shading in place of PICTURE (see: own --starter)");
     add_parsed(command, "--size", "WxH", flags->size, parse_size, "Size at which own shading is drawn [640x480]");
     add_value(command, "--technique", "T", flags->technique,
-              "Frequency, model and variants that are known; faults in it are dropped [all are searched; of own "
-              "shading all models, per-pixel; flat/own or per-vertex/own: there]");
+              "Frequency, model and variants that are known; faults in it are dropped [all are searched; of --own "
+              "per-pixel/own]");
     add_view_name(command, flags->view);
     command.add_flag("--json", flags->json, "Print JSON");
     add_value(command, "--out", "FILE.png", flags->out, "Write the picture less what explains it best");
@@ -137,9 +137,12 @@ void add_diagnose(CLI::App &app, CommonOptions &common, Run &run) {
         "Draws what is known and compares it at every pixel that shows an object: each frequency and model with no\n"
         "fault, with one, then other ways to write numbers (sRGB, gamma 2.2, upside down), other light (a factor, a\n"
         "light or a term missing, ambient light doubled, attenuation or cones left out, other exponents), then two\n"
-        "faults. An explanation differs from the picture by at most one level of 8 bits; where none does everywhere,\n"
-        "outlines, edges between triangles, jumps of the equation and what rounding decides are left out, as\n"
-        "`compare` leaves them out. Few faults come first; where none is needed, the picture is right. Verdicts:\n"
+        "faults, or one under other light. An explanation differs from the picture by at most one level of 8 bits;\n"
+        "where none does everywhere, outlines, edges between triangles, jumps of the equation and what rounding\n"
+        "decides are left out, as `compare` leaves them out. Few faults come first; where none is needed, the picture\n"
+        "is right.\n"
+        "Own shading is drawn at the frequency of --technique and held against that frequency alone; flat/own,\n"
+        "per-vertex/own or per-pixel/own leaves the model open. Verdicts:\n"
         "  right    no fault and no convention is needed (exit code 0; else 1)\n"
         "  named    one explanation\n"
         "  tied     several: `ties` are the others, of as few faults, that differ from `technique` by at most one\n"

@@ -9,18 +9,19 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <limits>
 
 namespace sandbox {
 namespace {
 
-constexpr Size trial_size{80, 60};
+constexpr Size trial_size{120, 90};
 /// Levels: a scene that tells all by so many is good enough, whatever others might do.
 constexpr double plenty = 24;
 /// ... and trials after it that tell no more.
 constexpr std::size_t most_in_vain = 8;
 /// A few pixels at an edge tell nothing.
-constexpr std::size_t least_pixels = 3;
+constexpr std::size_t least_pixels = 6;
 
 /// Changes of the scene at hand that faults show under.
 std::vector<std::string> changes_of(const Scene &scene) {
@@ -117,20 +118,21 @@ std::vector<TrialScene> changed_scenes(const Scene &scene, const std::string &ar
     return trials;
 }
 
-std::vector<TrialScene> trial_scenes(const Scene &scene, const std::string &arguments, const Assets &assets) {
-    std::vector<TrialScene> trials = changed_scenes(scene, arguments);
-    const auto add = [&](const std::string &words, const Scene &trial) {
-        if (!(trial == scene)) {
-            trials.push_back({words, trial});
-        }
-    };
+std::vector<TrialScene> builtin_trials(const Assets &assets) {
+    std::vector<TrialScene> trials;
     for (const std::string &name : builtin_scenes(assets)) {
-        const Scene built_in = open_scene(name, assets);
-        add(name, built_in);
-        for (const View &view : built_in.views) {
-            add(name + " --view " + view.name, with_view(built_in, view.name));
+        const Scene scene = open_scene(name, assets);
+        trials.push_back({name, scene});
+        for (const View &view : scene.views) {
+            trials.push_back({name + " --view " + view.name, with_view(scene, view.name)});
         }
     }
+    return trials;
+}
+
+std::vector<TrialScene> trial_scenes(const Scene &scene, const std::string &arguments, const Assets &assets) {
+    std::vector<TrialScene> trials = changed_scenes(scene, arguments);
+    std::ranges::copy(builtin_trials(assets), std::back_inserter(trials));
     return trials;
 }
 

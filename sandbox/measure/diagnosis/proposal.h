@@ -14,11 +14,12 @@ struct TrialScene {
     std::string arguments; ///< as commands take it: "vase", "studio --set camera.position=[0,1,6]"
     Scene scene;
 };
-/// `scene`, which commands call `arguments`, turned, seen nearer and with other materials; then the built-in scenes.
-/// Those that show the scene as it is are left out.
-std::vector<TrialScene> trial_scenes(const Scene &scene, const std::string &arguments, const Assets &assets);
-/// The first part of them: the scene itself, changed.
+/// `scene`, which commands call `arguments`, turned, seen nearer, under moved lights and with other materials.
 std::vector<TrialScene> changed_scenes(const Scene &scene, const std::string &arguments);
+/// The built-in scenes under all their views.
+std::vector<TrialScene> builtin_trials(const Assets &assets);
+/// Both.
+std::vector<TrialScene> trial_scenes(const Scene &scene, const std::string &arguments, const Assets &assets);
 
 /// The trial that tells most of a technique and its ties apart from each other, among those by most levels of 8 bits.
 struct Proposal {
