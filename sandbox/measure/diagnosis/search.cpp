@@ -194,17 +194,26 @@ std::vector<Technique> Search::ties(ScenePictures &pictures, const std::vector<C
     }
     Reading clamping = reading;
     clamping.clamped = true;
-    constexpr std::size_t few = 3; // programs of their own are built sooner than the one for all
+    // A few programs of their own are built sooner than the one for all of a frequency.
+    const auto worth_building = [&](const Technique &technique) {
+        constexpr std::ptrdiff_t few = 3;
+        return std::ranges::count_if(close, [&](const Candidate *candidate) {
+                   return candidate->technique.frequency == technique.frequency;
+               }) > few;
+    };
     std::optional<Levels> cheap_found;
-    if (const auto image = close.size() > few ? pictures.cheap_whole(found.technique) : std::nullopt) {
-        cheap_found = shown_levels(*image, clamping, false);
+    if (std::ranges::any_of(close, [&](const Candidate *c) { return worth_building(c->technique); })) {
+        if (const auto image = pictures.cheap_whole(found.technique)) {
+            cheap_found = shown_levels(*image, clamping, false);
+        }
     }
     const Levels whole = shown_levels(pictures.whole(found.technique).value(), reading, true);
     const auto is_tied = [&](const Technique &technique) {
         if (technique == found.technique) {
             return true;
         }
-        if (const auto cheap = cheap_found ? pictures.cheap_whole(technique) : std::nullopt) {
+        const bool cheaply = cheap_found && worth_building(technique);
+        if (const auto cheap = cheaply ? pictures.cheap_whole(technique) : std::nullopt) {
             const Levels levels = shown_levels(*cheap, clamping, false);
             if (difference_of(*cheap_found, levels, found.compared, 0).largest <= surely_tied) {
                 return true;

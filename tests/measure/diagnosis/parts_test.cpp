@@ -193,6 +193,16 @@ TEST(Candidates, AGivenTechniqueKeepsItsVariantsAndLosesItsFaults) {
     EXPECT_EQ(to_string(bases[0]), "per-pixel/blinn-phong:normalisation=blinn-phong");
 }
 
+TEST(Candidates, OwnShadingTellsItsFrequencyAlone) {
+    const Technique own{.frequency = Frequency::per_vertex, .model = Model::own};
+    const auto bases = base_techniques(own);
+    ASSERT_EQ(bases.size(), all_models.size());
+    for (const Technique &base : bases) {
+        EXPECT_EQ(base.frequency, Frequency::per_vertex);
+        EXPECT_NE(base.model, Model::own);
+    }
+}
+
 TEST(Candidates, PairsHaveTwoFaultsOfTwoKeys) {
     const Scene scene = two_lights();
     const auto pairs = pair_candidates(scene, load(scene), {parse_technique("per-pixel/phong")});
