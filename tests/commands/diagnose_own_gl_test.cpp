@@ -20,8 +20,11 @@ class DiagnoseOwnGl : public GlCommandTest {
     }
     static nlohmann::json diagnosed(const std::string &scene, const std::string &file, int exit_code,
                                     const Arguments &more = {}) {
-        Arguments arguments{"diagnose", scene, "--own", file, "--json", "--size", "160x120"};
+        Arguments arguments{"diagnose", scene, "--own", file, "--json"};
         arguments.insert(arguments.end(), more.begin(), more.end());
+        if (std::ranges::find(more, "--size") == more.end()) {
+            arguments.insert(arguments.end(), {"--size", "160x120"});
+        }
         const ProcessResult result = run_sandbox(arguments);
         EXPECT_EQ(result.exit_code, exit_code) << result.err;
         return nlohmann::json::parse(result.out);
@@ -51,6 +54,16 @@ TEST_F(DiagnoseOwnGl, AFaultThatTheSceneHidesIsFoundInTheProposedOne) {
     EXPECT_EQ(std::ranges::count(remaining(json), "per-pixel/phong"), 0);
     const ProcessResult text = run_sandbox({"diagnose", "vase", "--own", file, "--size", "160x120"});
     EXPECT_NE(text.out.find("It has a fault, which this scene does not show."), std::string::npos) << text.out;
+}
+
+/// pow() of float32 errs by n times the rounding of its cosine: some levels at these exponents.
+TEST_F(DiagnoseOwnGl, TheTextbooksPowIsRightInStiffHighlights) {
+    for (const char *shininess : {"1000", "10000", "100000"}) {
+        const std::string setting = std::string("objects[0].material.shininess=") + shininess;
+        const std::string file = answer("point-light");
+        const Arguments stiff{"--technique", "per-pixel/phong", "--set", setting, "--size", "640x480"};
+        EXPECT_EQ(diagnosed("point-light", file, 0, stiff)["verdict"], "right") << shininess;
+    }
 }
 
 TEST_F(DiagnoseOwnGl, AFaultIsNamed) {

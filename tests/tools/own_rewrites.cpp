@@ -363,17 +363,22 @@ OwnRewrite own_rewrite(std::uint32_t seed) {
     rewrite.truth.frequency = dice.one_of(frequencies);
     rewrite.truth.model = dice.one_of(models);
     rewrite.given = !dice.chance(0.25);
-    rewrite.text = rewritten_lighting(seed, open_scene(rewrite.scene_name, Assets("assets")), rewrite.truth.model);
+    rewrite.scene = open_scene(rewrite.scene_name, Assets("assets"));
+    const double stiff = dice.chance(0.15) ? 100 : 1;
+    for (Object &object : rewrite.scene.objects) {
+        object.material.shininess *= stiff;
+    }
+    rewrite.scene_name += stiff > 1 ? " (stiff)" : "";
+    rewrite.text = rewritten_lighting(seed, rewrite.scene, rewrite.truth.model);
     return rewrite;
 }
 
 Diagnosis diagnosis_of(const OwnRewrite &rewrite, const DiagnosisDraw &draw, Size size) {
-    const Scene scene = open_scene(rewrite.scene_name, Assets("assets"));
     Technique own = rewrite.truth;
     own.model = Model::own;
     own.own = OwnShader("own.glsl", rewrite.text);
-    const Observed observed{draw.picture(scene, own, size, false).color, false};
-    return diagnose({scene, observed, rewrite.given ? rewrite.truth : own, {}, {}}, draw);
+    const Observed observed{draw.picture(rewrite.scene, own, size, false).color, false};
+    return diagnose({rewrite.scene, observed, rewrite.given ? rewrite.truth : own, {}, {}}, draw);
 }
 
 } // namespace sandbox

@@ -12,6 +12,7 @@ namespace sandbox {
 /// Own shading that is right, written otherwise than the textbook writes it.
 struct OwnRewrite {
     std::string scene_name; ///< of a built-in scene
+    Scene scene;            ///< that scene, or one with stiff highlights
     Technique truth;        ///< flat, per-vertex or per-pixel, without faults
     bool given = false;     ///< is the model told, or the frequency alone?
     std::string text;

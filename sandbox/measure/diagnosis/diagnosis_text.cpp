@@ -92,6 +92,7 @@ std::string residual_text(const Diagnosis &diagnosis) {
     text += fmt::format(" of the {} compared{}.\n", count_text(residual.compared, "pixel"),
                         diagnosis.masked ? "; edges, jumps and outlines are left out" : "");
     if (diagnosis.verdict != Verdict::unknown) {
+        text += residual.largest > tolerated_levels ? "That is the rounding of pow() in a stiff highlight.\n" : "";
         return text.replace(text.find(" of the "), 8, " at the ");
     }
     return text;

@@ -18,7 +18,8 @@ namespace sandbox {
 using PixelMask = std::vector<std::uint8_t>;
 
 /// Is every pixel that shows an object compared, or only those that `compare` compares? The first is owed to pictures
-/// of this program's own making, down to its rounding at edges; the second to other programs.
+/// of this program's own making, down to its rounding at edges; the second to other programs, which may also raise
+/// stiff highlights by pow().
 enum class Strictness { everywhere, masked };
 
 struct Found {
@@ -75,6 +76,11 @@ class Search {
     [[nodiscard]] bool hopeless_beside_masks(const ScenePictures &pictures, const Technique &technique,
                                              const Reading &reading);
     [[nodiscard]] std::size_t allowed(Strictness strictness) const;
+    /// By how many levels each pixel may be off where pow() raises a highlight in float32; empty: none is worth it.
+    [[nodiscard]] std::vector<double> power_rounding(const Scene &scene, const Technique &technique);
+    /// Does what is left lie within that rounding?
+    [[nodiscard]] bool within_rounding(const ScenePictures &pictures, const Technique &technique, const Levels &seen,
+                                       const Levels &drawn, const PixelMask &compared);
 
     const Scene &scene_;
     const Observed &observed_;
