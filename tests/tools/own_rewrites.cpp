@@ -377,8 +377,18 @@ Diagnosis diagnosis_of(const OwnRewrite &rewrite, const DiagnosisDraw &draw, Siz
     Technique own = rewrite.truth;
     own.model = Model::own;
     own.own = OwnShader("own.glsl", rewrite.text);
-    const Observed observed{draw.picture(rewrite.scene, own, size, false).color, false};
-    return diagnose({rewrite.scene, observed, rewrite.given ? rewrite.truth : own, {}, {}}, draw);
+    DiagnosisRequest request{rewrite.scene, {}, rewrite.given ? rewrite.truth : own, {}, {}};
+    request.redraw = [&](const Scene &scene) { return Observed{draw.picture(scene, own, size, false).color, false}; };
+    request.observed = request.redraw(rewrite.scene);
+    request.trials = {changed_scenes(rewrite.scene, rewrite.scene_name)};
+    return diagnose(request, draw);
+}
+
+bool is_accused(const Diagnosis &diagnosis, const OwnRewrite &rewrite) {
+    const auto &look = diagnosis.after_proposal;
+    return diagnosis.verdict != Verdict::right ||
+           (look && std::ranges::find(look->remaining, rewrite.given ? rewrite.truth : diagnosis.technique) ==
+                        look->remaining.end());
 }
 
 } // namespace sandbox

@@ -25,6 +25,9 @@ OwnRewrite own_rewrite(std::uint32_t seed);
 /// As `diagnose --own` diagnoses it.
 Diagnosis diagnosis_of(const OwnRewrite &rewrite, const DiagnosisDraw &draw, Size size);
 
+/// Is it called anything but right, here or in the proposed scene?
+bool is_accused(const Diagnosis &diagnosis, const OwnRewrite &rewrite);
+
 /// The text for a scene and a model.
 std::string rewritten_lighting(std::uint32_t seed, const Scene &scene, Model model);
 

@@ -94,18 +94,23 @@ struct Tool {
     int rewrite() {
         std::size_t accused = 0;
         std::size_t masked = 0;
+        std::size_t seconds = 0;
         for (std::uint32_t seed = 0; seed < most_rewrites; seed += static_cast<std::uint32_t>(flags.every)) {
             const OwnRewrite rewrite = own_rewrite(seed);
             const std::string words = fmt::format("{} {} {}", seed, rewrite.scene_name, to_string(rewrite.truth));
             const Diagnosis diagnosis = times.measured(words, [&] { return diagnosis_of(rewrite, draw, flags.size); });
             masked += diagnosis.masked ? 1 : 0;
-            if (diagnosis.verdict != Verdict::right) {
+            seconds += diagnosis.after_proposal ? 1 : 0;
+            if (is_accused(diagnosis, rewrite)) {
                 ++accused;
-                fmt::print("{}: {}, {:.3g} levels, {} pixels\n", words, to_string(diagnosis.technique),
-                           diagnosis.residual.largest, diagnosis.residual.over);
+                fmt::print("{}: {} {}, {:.3g} levels, {} pixels{}\n", words,
+                           verdict_words[static_cast<std::size_t>(diagnosis.verdict)], to_string(diagnosis.technique),
+                           diagnosis.residual.largest, diagnosis.residual.over,
+                           diagnosis.proposal ? "; proposed: " + diagnosis.proposal->arguments : "");
             }
         }
-        fmt::print("accused: {}; right beside edges and jumps only: {}\n", accused, masked);
+        fmt::print("accused: {}; right beside edges and jumps only: {}; drawn in a second scene, too: {}\n", accused,
+                   masked, seconds);
         times.print();
         return accused == 0 ? 0 : 1;
     }
