@@ -63,7 +63,7 @@ class Diagnostician {
             auto two = explain_by_two({base_of(explanation->found.technique)}, Strictness::everywhere);
             return two ? two : explanation;
         }
-        if (auto explanation = explain_by_light(bases_, 0, 1, 1, {Strictness::everywhere, Strictness::masked})) {
+        if (auto explanation = explain_by_light(bases_, 0, one_change, {Strictness::everywhere, Strictness::masked})) {
             return nearer_by_two(std::move(*explanation));
         }
         return explain_by_more();
@@ -71,7 +71,6 @@ class Diagnostician {
 
     /// Two faults, or one under other light; then light with several factors, which fit more than they explain.
     std::optional<Explanation> explain_by_more() {
-        constexpr std::size_t any = 100;
         const std::vector<Technique> nearest = nearest_bases();
         const std::vector<Technique> some(nearest.begin(),
                                           nearest.begin() + std::min<std::ptrdiff_t>(std::ssize(nearest), 2));
@@ -79,13 +78,13 @@ class Diagnostician {
             if (auto explanation = explain_by_two(nearest, strictness)) {
                 return explanation;
             }
-            if (auto explanation = explain_by_light(some, 1, 1, 1, {strictness})) {
+            if (auto explanation = explain_by_light(some, 1, one_change, {strictness})) {
                 return explanation;
             }
-            if (auto explanation = explain_by_light(bases_, 0, 2, any, {strictness})) {
+            if (auto explanation = explain_by_light(bases_, 0, several_changes, {strictness})) {
                 return explanation;
             }
-            if (auto explanation = explain_by_light(some, 1, 2, any, {strictness})) {
+            if (auto explanation = explain_by_light(some, 1, several_changes, {strictness})) {
                 return explanation;
             }
         }
@@ -150,11 +149,9 @@ class Diagnostician {
 
     /// Other light under techniques of so many faults, however the numbers are written.
     std::optional<Explanation> explain_by_light(const std::vector<Technique> &bases, std::size_t faults,
-                                                std::size_t least_changes, std::size_t most_changes,
-                                                const std::vector<Strictness> &strictnesses) {
+                                                Changes changes, const std::vector<Strictness> &strictnesses) {
         for (const Encoding encoding : {Encoding::linear, Encoding::srgb, Encoding::gamma}) {
-            if (auto explanation = light_.explain(
-                    {bases, faults, least_changes, most_changes, {.encoding = encoding}, strictnesses})) {
+            if (auto explanation = light_.explain({bases, faults, changes, {.encoding = encoding}, strictnesses})) {
                 return explanation;
             }
         }

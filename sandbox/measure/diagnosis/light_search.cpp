@@ -27,7 +27,7 @@ LightSearch::LightSearch(std::shared_ptr<ScenePictures> plain, const std::vector
       parts_(linear_parts(plain_->scene())), pictures_{plain_} {}
 
 std::optional<Explanation> LightSearch::explain(const Sought &sought) {
-    const bool one = sought.least_changes <= 1;
+    const bool one = sought.changes.least <= 1;
     for (const Edit &edit : one ? scene_edits(plain_->scene()) : std::vector<Edit>{}) {
         if (auto explanation = explain_by(edit, candidates(edit.scene, sought), sought)) {
             return explanation;
@@ -116,7 +116,7 @@ std::vector<Edit> LightSearch::fitted(const LinearParts &parts, const Technique 
         Edit edit = with_factors(plain_->scene(), parts, factors);
         const bool is_new = edits.empty() || !(edits.back().scene == edit.scene);
         const std::size_t changes = edit.conventions.size();
-        if (is_new && changes >= sought.least_changes && changes <= sought.most_changes &&
+        if (is_new && changes >= sought.changes.least && changes <= sought.changes.most &&
             search_.may_explain(equations, light, sought.reading)) {
             edits.push_back(std::move(edit));
         }

@@ -4,11 +4,19 @@
 #include "measure/diagnosis/search.h"
 #include "scene/resources.h"
 
+#include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
 namespace sandbox {
+
+/// How many things may be otherwise about the light.
+struct Changes {
+    std::size_t least, most;
+};
+constexpr Changes one_change{1, 1}, several_changes{2, 1000};
 
 struct Explanation {
     Found found;
@@ -28,8 +36,8 @@ class LightSearch {
 
     struct Sought {
         std::vector<Technique> bases;
-        std::size_t faults;                      ///< of the techniques, exactly: 0 or 1
-        std::size_t least_changes, most_changes; ///< of the light, at least 1
+        std::size_t faults; ///< of the techniques, exactly: 0 or 1
+        Changes changes;
         Reading reading;
         std::vector<Strictness> strictnesses;
     };
