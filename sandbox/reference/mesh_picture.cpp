@@ -87,12 +87,18 @@ class MeshPicture : public Picture {
     }
 
     void shade(const Hit &hit, int x, int y, std::size_t pixel, ReferenceFrame &frame) const {
+        const bool masks = !frame.edge.empty();
         if (hit.object == 0) {
-            frame.edge[pixel] = hit.beside > 0 ? 1 : 0;
+            if (masks) {
+                frame.edge[pixel] = hit.beside > 0 ? 1 : 0;
+            }
             return;
         }
         const Fragment fragment(meshes_, hit, x + 0.5, y + 0.5);
         frame.color[pixel] = fragment.color();
+        if (!masks) {
+            return;
+        }
         frame.object_ids[pixel] = hit.object;
         const bool own = rasteriser_.beside_wins(hit) || hit.own_tie || fragment.at_edge();
         frame.edge[pixel] = own || hit.tie ? 1 : 0;

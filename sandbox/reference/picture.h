@@ -9,7 +9,8 @@ class Picture {
   public:
     virtual ~Picture() = default;
     [[nodiscard]] virtual std::size_t bands() const = 0;
-    /// Draws one band of rows into `frame`, which holds the background.
+    /// Draws one band of rows into `frame`, which holds the background. Of a mesh without masks, where `frame` has
+    /// none.
     virtual void draw(std::size_t band, ReferenceFrame &frame) const = 0;
     [[nodiscard]] virtual std::optional<PixelProbe> probe(int x, int y) const = 0;
     /// The colours of a row; nothing for the background.

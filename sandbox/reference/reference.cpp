@@ -24,16 +24,21 @@ std::unique_ptr<reference::Picture> picture_of(const Scene &scene, const std::ve
                                     : reference::analytic_picture(scene, resources, technique, size);
 }
 
+ReferenceFrame background(const Scene &scene, Size size) {
+    ReferenceFrame frame;
+    frame.size = size;
+    frame.color.assign(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height), scene.background);
+    return frame;
+}
+
 } // namespace
 
 ReferenceFrame render_reference(const Scene &scene, const std::vector<ObjectResources> &resources,
                                 const Technique &technique, Size size, Surface surface, const Progress &progress) {
     const auto start = std::chrono::steady_clock::now();
     const auto picture = picture_of(scene, resources, technique, size, surface);
-    const std::size_t pixels = static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
-    ReferenceFrame frame;
-    frame.size = size;
-    frame.color.assign(pixels, scene.background);
+    ReferenceFrame frame = background(scene, size);
+    const std::size_t pixels = frame.color.size();
     frame.object_ids.assign(pixels, 0);
     frame.edge.assign(pixels, 0);
     frame.rival.assign(pixels, 0);
@@ -54,6 +59,14 @@ Frame to_frame(const ReferenceFrame &frame) {
     out.object_ids = frame.object_ids;
     out.milliseconds = frame.milliseconds;
     return out;
+}
+
+Image reference_colors(const Scene &scene, const std::vector<ObjectResources> &resources, const Technique &technique,
+                       Size size) {
+    const auto picture = picture_of(scene, resources, technique, size, Surface::mesh);
+    ReferenceFrame frame = background(scene, size);
+    parallel_for(picture->bands(), [&](std::size_t band) { picture->draw(band, frame); });
+    return to_frame(frame).color;
 }
 
 std::optional<PixelProbe> probe_pixel(const Scene &scene, const std::vector<ObjectResources> &resources,

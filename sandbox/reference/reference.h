@@ -51,6 +51,10 @@ ReferenceFrame render_reference(const Scene &scene, const std::vector<ObjectReso
 /// The same picture rounded to float32.
 Frame to_frame(const ReferenceFrame &frame);
 
+/// The colours of the mesh alone, likewise, and sooner: masks cost more than colours.
+Image reference_colors(const Scene &scene, const std::vector<ObjectResources> &resources, const Technique &technique,
+                       Size size);
+
 /// Every intermediate at one pixel.
 struct PixelProbe {
     std::size_t object = 0;   ///< in scene.objects

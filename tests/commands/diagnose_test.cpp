@@ -26,6 +26,13 @@ TEST(DiagnoseCommand, BadPicturesAreRefusedByName) {
     refused({folder.file("cut.png")}, "cut.png");
     refused({folder.file("cut.pfm")}, "cut.pfm");
     refused({folder.file("text.png"), "--technique", "per-pixel/fong"}, "--technique: ");
+    refused({}, "diagnose: expected either a PICTURE or --own FILE.glsl, got none");
+    folder.write("own.glsl", "vec3 lighting(vec3 P, vec3 N, vec3 eye) { return P; }\n");
+    refused({folder.file("text.png"), "--own", folder.file("own.glsl")},
+            "diagnose: expected either a PICTURE or --own FILE.glsl, got both");
+    refused({folder.file("text.png"), "--size", "9x9"}, "--size: a PICTURE has its own size");
+    refused({folder.file("text.png"), "--technique", "per-pixel/own"}, "--technique: ");
+    refused({"--own", folder.file("none.glsl")}, "none.glsl': expected a file of GLSL text");
     refused({folder.file("text.png"), "--out", "a.jpg"}, "--out: expected a file name that ends in .png");
 }
 

@@ -45,6 +45,17 @@ TEST(Reference, SphereLitHeadOnIsFullAtItsMiddle) {
     EXPECT_EQ(frame.object_ids[0], 0U);
 }
 
+TEST(Reference, TheColoursAloneAreTheSame) {
+    Scene scene = ball({0, 0, 4});
+    scene.background = {0.1, 0.2, 0.3};
+    const Size size{64, 48};
+    for (const Frequency frequency : all_frequencies) {
+        const Technique technique = technique_of(frequency, Model::phong);
+        EXPECT_EQ(reference_colors(scene, resources_of(scene), technique, size).pixels,
+                  to_frame(render(scene, technique, size, Surface::mesh)).color.pixels);
+    }
+}
+
 TEST(Reference, PlaneUnderAPointLight) {
     Scene scene;
     scene.camera.position = {0, 3, 0};

@@ -51,7 +51,7 @@ template <class Visit> void for_each_setting(const Technique &base, std::size_t 
 } // namespace
 
 std::vector<Technique> base_techniques(const std::optional<Technique> &given) {
-    if (given) {
+    if (given && given->model != Model::own) {
         Technique base = *given;
         for (const TechniqueKey &key : technique_settings) {
             if (key.is_fault()) {
@@ -60,15 +60,19 @@ std::vector<Technique> base_techniques(const std::optional<Technique> &given) {
         }
         return {base};
     }
-    std::vector<Technique> bases{Technique{}};
+    std::vector<Technique> bases;
+    const auto add = [&](const Technique &base) {
+        if ((!given || given->frequency == base.frequency) && std::ranges::find(bases, base) == bases.end()) {
+            bases.push_back(base);
+        }
+    };
+    add({});
     for (const Frequency frequency : all_frequencies) {
         for (const Model model : all_models) {
             Technique base;
             base.frequency = frequency;
             base.model = model;
-            if (base != bases.front()) {
-                bases.push_back(base);
-            }
+            add(base);
         }
     }
     return bases;

@@ -17,7 +17,7 @@ struct Candidate {
 };
 
 /// Frequency and model alone, as techniques to begin with: every pair, the default one first; of `given` its own pair
-/// with its variants, its faults dropped.
+/// with its variants, its faults dropped; where its model is `own`, its frequency with every model.
 std::vector<Technique> base_techniques(const std::optional<Technique> &given);
 
 /// Each base without a fault, then with every single one that it allows and that changes a picture of the scene:

@@ -175,14 +175,8 @@ Edit with_factors(const Scene &scene, const LinearParts &parts, const std::vecto
     return edit;
 }
 
-double plain_factor(double factor) {
-    const double rounded = std::round(std::clamp(factor, 0.0, 1000.0) * 1000) / 1000;
-    for (const double usual : {0.0, 1.0, 2.0}) {
-        if (std::abs(rounded - usual) < 0.004) {
-            return usual;
-        }
-    }
-    return rounded;
+double plain_factor(double factor, double digits) {
+    return std::round(std::clamp(factor, 0.0, 1000.0) * digits) / digits;
 }
 
 } // namespace sandbox

@@ -40,7 +40,7 @@ struct LinearParts {
 std::vector<LinearParts> linear_parts(const Scene &scene);
 /// The scene with the parts times `factors`, those that are not 1 told.
 Edit with_factors(const Scene &scene, const LinearParts &parts, const std::vector<double> &factors);
-/// A factor as people choose them: to three decimals.
-double plain_factor(double factor);
+/// A factor as people choose them: rounded to a whole number, over `digits`; not below 0.
+double plain_factor(double factor, double digits);
 
 } // namespace sandbox

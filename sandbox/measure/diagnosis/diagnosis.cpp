@@ -1,6 +1,7 @@
 #include "measure/diagnosis/diagnosis.h"
 
-#include "measure/diagnosis/linear_fit.h"
+#include "image/error.h"
+#include "measure/diagnosis/light_search.h"
 #include "measure/diagnosis/search.h"
 #include "measure/metrics/metrics.h"
 
@@ -14,14 +15,6 @@
 namespace sandbox {
 namespace {
 
-struct Explanation {
-    Found found;
-    Reading reading;
-    std::shared_ptr<ScenePictures> pictures; ///< of the scene under its conventions
-    std::vector<Convention> conventions;
-    Strictness strictness = Strictness::everywhere;
-};
-
 /// Two faults are sought under so many frequencies and models, the nearest.
 constexpr std::size_t most_bases = 3;
 
@@ -31,8 +24,9 @@ class Diagnostician {
         : request_(request), draw_(draw), progress_(progress),
           search_(request.scene, request.observed, draw, [this] { report(); }),
           bases_(base_techniques(request.technique)), resources_(draw.load(request.scene)),
-          plain_(std::make_shared<ScenePictures>(request.scene, draw, search_.samples())),
-          singles_(single_candidates(request.scene, resources_, bases_)) {}
+          plain_(std::make_shared<ScenePictures>(request.scene, search_.sampler())),
+          singles_(single_candidates(request.scene, resources_, bases_)),
+          light_(plain_, resources_, search_, [this] { report(); }) {}
 
     Diagnosis diagnose() {
         Diagnosis diagnosis;
@@ -69,18 +63,44 @@ class Diagnostician {
             auto two = explain_by_two({base_of(explanation->found.technique)}, Strictness::everywhere);
             return two ? two : explanation;
         }
-        std::vector<Reading> readings{Reading{}};
-        if (request_.technique) { // else there is too much to search
-            readings.push_back({.encoding = Encoding::srgb});
+        if (auto explanation = explain_by_light(bases_, 0, one_change, {Strictness::everywhere, Strictness::masked})) {
+            return nearer_by_two(std::move(*explanation));
         }
-        for (const Reading &reading : readings) {
-            if (auto explanation = explain_by_light(reading)) {
+        return explain_by_more();
+    }
+
+    /// Two faults, or one under other light; then light with several factors, which fit more than they explain.
+    std::optional<Explanation> explain_by_more() {
+        const std::vector<Technique> nearest = nearest_bases();
+        const std::vector<Technique> some(nearest.begin(),
+                                          nearest.begin() + std::min<std::ptrdiff_t>(std::ssize(nearest), 2));
+        for (const Strictness strictness : {Strictness::everywhere, Strictness::masked}) {
+            if (auto explanation = explain_by_two(nearest, strictness)) {
+                return explanation;
+            }
+            if (auto explanation = explain_by_light(some, 1, one_change, {strictness})) {
+                return explanation;
+            }
+            if (auto explanation = explain_by_light(bases_, 0, several_changes, {strictness})) {
+                return explanation;
+            }
+            if (auto explanation = explain_by_light(some, 1, several_changes, {strictness})) {
                 return explanation;
             }
         }
-        const std::vector<Technique> nearest = nearest_bases();
-        auto explanation = explain_by_two(nearest, Strictness::everywhere);
-        return explanation ? explanation : explain_by_two(nearest, Strictness::masked);
+        return std::nullopt;
+    }
+
+    /// Two faults may look like a term that is weaker or missing, up to rounding: they are owed if they come nearer.
+    Explanation nearer_by_two(Explanation light) {
+        constexpr double rounding = 0.5; // levels
+        if (light.found.residual.largest > rounding) {
+            auto two = explain_by_two({base_of(light.found.technique)}, Strictness::everywhere);
+            if (two && two->found.residual.largest < light.found.residual.largest) {
+                return std::move(*two);
+            }
+        }
+        return light;
     }
 
     std::optional<Explanation> explain_by_one(Strictness strictness) {
@@ -115,8 +135,7 @@ class Diagnostician {
             double least = INFINITY;
             for (const Candidate &candidate : singles_) {
                 if (base_of(candidate.technique) == base) {
-                    const auto difference = search_.sampled_difference(*plain_, candidate.technique, {});
-                    least = difference ? std::min(least, difference->rms) : least;
+                    least = std::min(least, search_.sampled_difference(*plain_, candidate.technique, {}).rms);
                 }
             }
             ranked.emplace_back(least, base);
@@ -128,122 +147,12 @@ class Diagnostician {
         return bases;
     }
 
-    /// One edit of the scene, under every base.
-    std::optional<Explanation> explain_by(const Edit &edit, const std::vector<Technique> &bases,
-                                          const Reading &reading) {
-        const auto pictures = std::make_shared<ScenePictures>(edit.scene, draw_, search_.samples());
-        std::vector<Candidate> candidates = single_candidates(edit.scene, resources_, bases);
-        std::erase_if(candidates, [](const Candidate &c) { return c.faults != 0; });
-        std::vector<Convention> conventions = conventions_of(reading);
-        conventions.insert(conventions.end(), edit.conventions.begin(), edit.conventions.end());
-        for (const Strictness strictness : {Strictness::everywhere, Strictness::masked}) {
-            if (auto found = search_.explain(*pictures, candidates, reading, strictness, conventions)) {
-                return Explanation{std::move(*found), reading, pictures, std::move(conventions), strictness};
-            }
-        }
-        return std::nullopt;
-    }
-
-    std::optional<Explanation> explain_by_light(const Reading &reading) {
-        for (const Edit &edit : scene_edits(request_.scene)) {
-            if (auto explanation = explain_by(edit, bases_, reading)) {
+    /// Other light under techniques of so many faults, however the numbers are written.
+    std::optional<Explanation> explain_by_light(const std::vector<Technique> &bases, std::size_t faults,
+                                                Changes changes, const std::vector<Strictness> &strictnesses) {
+        for (const Encoding encoding : {Encoding::linear, Encoding::srgb, Encoding::gamma}) {
+            if (auto explanation = light_.explain({bases, faults, changes, {.encoding = encoding}, strictnesses})) {
                 return explanation;
-            }
-        }
-        for (const LinearParts &parts : linear_parts(request_.scene)) {
-            for (const Technique &base : bases_) {
-                const auto edit = fitted(parts, base, reading);
-                if (!edit || edit->conventions.empty()) {
-                    continue;
-                }
-                if (auto explanation = explain_by(*edit, {base}, reading)) {
-                    return explanation;
-                }
-            }
-        }
-        return explain_by_exponent(reading);
-    }
-
-    /// The parts' factors by least squares over the samples.
-    std::optional<Edit> fitted(const LinearParts &parts, const Technique &base, const Reading &reading) {
-        const Search::Equations equations = search_.equations(reading);
-        std::vector<double> target = equations.light;
-        std::vector<std::vector<double>> columns;
-        const auto column = [&](const Scene &scene) -> std::optional<std::vector<double>> {
-            report();
-            ScenePictures pictures(scene, draw_, search_.samples());
-            const Image *image = pictures.samples(base);
-            if (image == nullptr) {
-                return std::nullopt;
-            }
-            std::vector<double> values;
-            for (const std::size_t i : equations.values) {
-                values.push_back(static_cast<double>(image->pixels[i / 3][static_cast<int>(i % 3)]));
-            }
-            return values;
-        };
-        const auto rest = column(parts.rest);
-        for (const Scene &part : parts.parts) {
-            auto values = column(part);
-            if (!values || !rest) {
-                return std::nullopt;
-            }
-            columns.push_back(std::move(*values));
-        }
-        for (std::size_t i = 0; rest && i < target.size(); ++i) {
-            target[i] -= (*rest)[i];
-        }
-        auto factors = fitted_factors(columns, target);
-        if (!factors) {
-            return std::nullopt;
-        }
-        std::ranges::transform(*factors, factors->begin(), plain_factor);
-        return with_factors(request_.scene, parts, *factors);
-    }
-
-    /// The factor on the exponents is searched: on a coarse ladder, then by golden section around its best rung.
-    std::optional<Explanation> explain_by_exponent(const Reading &reading) {
-        for (const Technique &base : bases_) {
-            if (!reflection(base.model).specular) {
-                continue;
-            }
-            const auto error = [&](double octaves) {
-                ScenePictures pictures(with_exponents(request_.scene, std::exp2(octaves)).scene, draw_,
-                                       search_.samples());
-                const auto difference = search_.sampled_difference(pictures, base, reading);
-                return difference ? difference->rms : INFINITY;
-            };
-            constexpr double rung = 0.5, most = 3;
-            double best = 0;
-            double least = error(0);
-            for (double octaves = -most; octaves <= most; octaves += rung) {
-                if (const double here = error(octaves); here < least) {
-                    least = here;
-                    best = octaves;
-                }
-            }
-            constexpr double hopeless = 6; // levels: other exponents alone do not make that picture
-            if (best == 0 || least > hopeless) {
-                continue;
-            }
-            double low = best - rung;
-            double high = best + rung;
-            constexpr double golden = 0.6180339887498949;
-            for (int i = 0; i < 14; ++i) {
-                const double left = high - golden * (high - low);
-                const double right = low + golden * (high - low);
-                const bool lower = error(left) < error(right);
-                (lower ? high : low) = lower ? right : left;
-            }
-            const double factor = std::exp2((low + high) / 2);
-            for (const double digits : {1.0, 4.0, 100.0, 1000.0}) { // people choose plain numbers
-                const double plain = std::round(factor * digits) / digits;
-                if (plain <= 0 || plain == 1) {
-                    continue;
-                }
-                if (auto explanation = explain_by(with_exponents(request_.scene, plain), {base}, reading)) {
-                    return explanation;
-                }
             }
         }
         return std::nullopt;
@@ -271,11 +180,37 @@ class Diagnostician {
         diagnosis.ties = search_.ties(*explanation.pictures, rivals, found, explanation.reading);
         const bool right = found.faults == 0 && explanation.conventions.empty();
         diagnosis.verdict = right ? Verdict::right : diagnosis.ties.empty() ? Verdict::named : Verdict::tied;
-        if (!diagnosis.ties.empty()) {
-            diagnosis.proposal =
-                propose(diagnosis.technique, diagnosis.ties, request_.trials, draw_, [this] { report(); });
+        for (const auto &trials : request_.trials) {
+            if (!diagnosis.ties.empty() && !diagnosis.proposal) {
+                diagnosis.proposal = propose(diagnosis.technique, diagnosis.ties, trials, draw_, [this] { report(); });
+            }
+        }
+        if (diagnosis.proposal && request_.redraw && explanation.pictures == plain_) {
+            diagnosis.after_proposal = second_look(diagnosis, explanation.reading);
         }
         show(*explanation.pictures, explanation.reading, found.compared, diagnosis);
+    }
+
+    /// Those that explain every pixel; if none does, those that explain all that `compare` compares.
+    SecondLook second_look(const Diagnosis &diagnosis, const Reading &reading) {
+        SecondLook look;
+        std::vector<Technique> all = diagnosis.ties;
+        all.insert(all.begin(), diagnosis.technique);
+        try {
+            const Observed observed = request_.redraw(diagnosis.proposal->scene);
+            Search search(diagnosis.proposal->scene, observed, draw_, [this] { report(); });
+            ScenePictures pictures(diagnosis.proposal->scene, search.sampler());
+            for (const Strictness strictness : {Strictness::everywhere, Strictness::masked}) {
+                if (look.remaining.empty()) {
+                    std::ranges::copy_if(all, std::back_inserter(look.remaining), [&](const Technique &technique) {
+                        return search.explain(pictures, {{technique, {technique}, 0}}, reading, strictness).has_value();
+                    });
+                }
+            }
+        } catch (const InputError &error) {
+            look.error = error.what();
+        }
+        return look;
     }
 
     /// The first base that the scene does not refuse.
@@ -292,7 +227,7 @@ class Diagnostician {
         }
         diagnosis.technique = nearest->technique;
         diagnosis.conventions = nearest->conventions;
-        const ScenePictures pictures(nearest->scene, draw_, search_.samples());
+        const ScenePictures pictures(nearest->scene, search_.sampler());
         if (!pictures.whole(diagnosis.technique)) {
             diagnosis.technique = plain_technique(); // its samples were drawn in double; no program of the scene can
         }
@@ -346,6 +281,7 @@ class Diagnostician {
     std::vector<ObjectResources> resources_;
     std::shared_ptr<ScenePictures> plain_;
     std::vector<Candidate> singles_;
+    LightSearch light_;
     std::map<Technique, std::vector<Candidate>> pairs_; ///< by their base
 };
 

@@ -14,6 +14,7 @@
 #include <functional>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -33,6 +34,12 @@ struct TellingPixel {
     std::vector<TermShare> named_terms, right_terms;
 };
 
+/// What the program that drew the picture draws in the proposed scene, held against the technique and its ties.
+struct SecondLook {
+    std::vector<Technique> remaining; ///< those that explain it there, too
+    std::string error;                ///< why it could not be drawn there; else empty
+};
+
 struct Diagnosis {
     Verdict verdict = Verdict::unknown;
     /// Few faults first, then the one that is nearest; of an unknown picture the nearest that is known.
@@ -48,16 +55,23 @@ struct Diagnosis {
     bool masked = false;
     TellingPixel pixel;
     std::optional<Proposal> proposal; ///< what would tell the ties apart
-    Image expected;                   ///< the explanation, in the numbers of the picture's file
-    std::size_t candidates = 0;       ///< pictures that were drawn to be compared
+    /// Where the request can draw it and no convention changes the scene's light.
+    std::optional<SecondLook> after_proposal;
+    Image expected;             ///< the explanation, in the numbers of the picture's file
+    std::size_t candidates = 0; ///< pictures that were drawn to be compared
 };
 
 /// One explanation of at most as many faults; see diagnose().
 struct DiagnosisRequest {
     Scene scene;
     Observed observed;
-    std::optional<Technique> technique; ///< frequency, model and variants that are known; none: all are searched
-    std::vector<TrialScene> trials;     ///< where ties may be told apart
+    /// Frequency, model and variants that are known (of the model `own`: the frequency alone); none: all are searched.
+    std::optional<Technique> technique;
+    /// Where ties may be told apart: of a later list only if nothing in the earlier ones tells any.
+    std::vector<std::vector<TrialScene>> trials;
+    /// Draws another scene by the program that drew `observed`, at the same size, to look a second time. Empty: it is
+    /// out of reach. Throws InputError where it cannot.
+    std::function<Observed(const Scene &)> redraw;
 };
 
 /// The picture has the size of the request's. Throws Cancelled.

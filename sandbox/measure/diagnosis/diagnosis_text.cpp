@@ -92,7 +92,34 @@ std::string residual_text(const Diagnosis &diagnosis) {
     text += fmt::format(" of the {} compared{}.\n", count_text(residual.compared, "pixel"),
                         diagnosis.masked ? "; edges, jumps and outlines are left out" : "");
     if (diagnosis.verdict != Verdict::unknown) {
+        text += residual.largest > tolerated_levels ? "That is the rounding of pow() in a stiff highlight.\n" : "";
         return text.replace(text.find(" of the "), 8, " at the ");
+    }
+    return text;
+}
+
+bool is_right(const Technique &technique) {
+    return std::ranges::all_of(technique_settings,
+                               [&](const TechniqueKey &key) { return !key.is_fault() || key.get(technique) == 0; });
+}
+
+/// `right`: the first picture owes no fault.
+std::string second_look_text(const SecondLook &look, bool right) {
+    if (!look.error.empty()) {
+        return fmt::format("It cannot be drawn there: {}\n", look.error);
+    }
+    if (look.remaining.empty()) {
+        return "Drawn there, it is none of them: it may be made for this scene alone.\n";
+    }
+    const std::string unseen = !right || std::ranges::any_of(look.remaining, is_right)
+                                   ? ""
+                                   : "It has a fault, which this scene does not show.\n";
+    if (look.remaining.size() == 1) {
+        return fmt::format("Drawn there, it is {}.\n", to_string(look.remaining.front())) + unseen;
+    }
+    std::string text = unseen + "Drawn there, it may still be any of these:\n";
+    for (const Technique &technique : look.remaining) {
+        text += "  " + to_string(technique) + "\n";
     }
     return text;
 }
@@ -117,6 +144,9 @@ std::string diagnosis_text(const Diagnosis &diagnosis, const Scene &scene) {
                                   diagnosis.proposal->arguments, diagnosis.proposal->told.size(),
                                   diagnosis.proposal->levels)
                     : "No scene that was tried tells them apart.\n";
+        text += diagnosis.after_proposal
+                    ? second_look_text(*diagnosis.after_proposal, diagnosis.verdict == Verdict::right)
+                    : "";
     }
     const TellingPixel &pixel = diagnosis.pixel;
     if (diagnosis.shown_pixels > 0 && diagnosis.verdict != Verdict::right) {
@@ -184,6 +214,11 @@ std::string diagnosis_json(const Diagnosis &diagnosis, const std::string &scene,
         json["proposal"] = {{"scene", diagnosis.proposal->arguments},
                             {"tells", names(diagnosis.proposal->told)},
                             {"levels", number(diagnosis.proposal->levels)}};
+    }
+    json["after_proposal"] = ordered_json();
+    if (const auto &look = diagnosis.after_proposal) {
+        json["after_proposal"] = {{"remaining", names(look->remaining)},
+                                  {"error", look->error.empty() ? ordered_json() : ordered_json(look->error)}};
     }
     json["scene"] = scene;
     json["candidates"] = diagnosis.candidates;

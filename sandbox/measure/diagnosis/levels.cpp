@@ -11,6 +11,8 @@ namespace {
 
 constexpr double gamma = 2.2;
 
+} // namespace
+
 double encoded(double linear, Encoding encoding) {
     switch (encoding) {
     case Encoding::srgb:
@@ -21,8 +23,6 @@ double encoded(double linear, Encoding encoding) {
         return linear;
     }
 }
-
-} // namespace
 
 double decoded(double number, Encoding encoding) {
     switch (encoding) {

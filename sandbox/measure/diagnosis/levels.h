@@ -34,6 +34,8 @@ using Levels = std::vector<float>;
 Levels observed_levels(const Observed &observed, const Reading &reading);
 /// What a program that draws `drawn` would have written to a file of the same kind.
 Levels shown_levels(const Image &drawn, const Reading &reading, bool bytes);
+/// The number for linear light, 1: white.
+double encoded(double linear, Encoding encoding);
 /// Undoes the encoding of one number, 1: white.
 double decoded(double number, Encoding encoding);
 

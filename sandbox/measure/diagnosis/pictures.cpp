@@ -28,32 +28,40 @@ std::optional<Image> cheap_picture(const DiagnosisDraw &draw, const Scene &scene
     return image ? image : drawn(draw, scene, technique, size);
 }
 
-ScenePictures::ScenePictures(Scene scene, const DiagnosisDraw &draw, const PointSamples &samples)
-    : scene_(std::move(scene)), sampled_(scene_), draw_(draw), samples_(samples) {
-    sampled_.camera = sampled_camera(scene_.camera, samples_);
-}
-
-const Image *ScenePictures::samples(const Technique &technique) {
-    const auto [place, is_new] = drawn_.try_emplace(technique);
-    if (is_new) {
-        Technique full = technique;
-        full.program = Program::full;
-        if (!why_refused(full)) {
-            place->second = drawn(draw_, sampled_, full, samples_.size);
-        }
-        if (!place->second) {
-            place->second = to_frame(render_reference(sampled_, draw_.load(sampled_), technique, samples_.size)).color;
+Image Sampler::drawn(const Scene &scene, const Technique &technique) {
+    constexpr std::size_t many_triangles = 1'000'000;
+    const std::vector<ObjectResources> resources = draw_.load(scene);
+    std::size_t &triangles = triangles_[static_cast<std::size_t>(technique.frequency)];
+    Technique full = technique;
+    full.program = Program::full;
+    if (triangles > many_triangles && !why_refused(full)) {
+        if (auto image = sandbox::drawn(draw_, scene, full, samples_.size)) {
+            return std::move(*image);
         }
     }
-    return place->second ? &*place->second : nullptr;
+    for (const ObjectResources &object : resources) {
+        triangles += object.mesh->triangles.size();
+    }
+    return reference_colors(scene, resources, technique, samples_.size);
+}
+
+ScenePictures::ScenePictures(Scene scene, Sampler &sampler)
+    : scene_(std::move(scene)), sampled_(scene_), sampler_(sampler) {
+    sampled_.camera = sampled_camera(scene_.camera, sampler.samples());
+}
+
+const Image &ScenePictures::samples(const Technique &technique) {
+    const auto place = drawn_.find(technique);
+    return place != drawn_.end() ? place->second
+                                 : drawn_.emplace(technique, sampler_.drawn(sampled_, technique)).first->second;
 }
 
 std::optional<Image> ScenePictures::cheap_whole(const Technique &technique) const {
-    return cheap_picture(draw_, scene_, technique, samples_.full);
+    return cheap_picture(sampler_.draw(), scene_, technique, sampler_.samples().full);
 }
 
 std::optional<Image> ScenePictures::whole(const Technique &technique) const {
-    return drawn(draw_, scene_, technique, samples_.full);
+    return drawn(sampler_.draw(), scene_, technique, sampler_.samples().full);
 }
 
 } // namespace sandbox

@@ -6,6 +6,8 @@
 #include "scene/scene.h"
 #include "shading/technique.h"
 
+#include <array>
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <optional>
@@ -28,16 +30,36 @@ template <typename Renderer> DiagnosisDraw diagnosis_drawn_by(Renderer &renderer
             }};
 }
 
+/// Draws the samples of pictures of one size. To build the program that can do every scene takes as long as some
+/// hundred such pictures in double: a frequency is drawn in double at first, by that program once much has been drawn,
+/// and always in double where it refuses the technique.
+class Sampler {
+  public:
+    /// `draw` must outlive this.
+    Sampler(const DiagnosisDraw &draw, const PointSamples &samples) : draw_(draw), samples_(samples) {}
+
+    [[nodiscard]] const DiagnosisDraw &draw() const { return draw_; }
+    [[nodiscard]] const PointSamples &samples() const { return samples_; }
+    /// `scene` has the camera of the samples.
+    Image drawn(const Scene &scene, const Technique &technique);
+
+  private:
+    const DiagnosisDraw &draw_;
+    PointSamples samples_;
+    std::array<std::size_t, all_frequencies.size()> triangles_{}; ///< drawn in double
+};
+
 /// The pictures of one scene.
 class ScenePictures {
   public:
-    /// `draw` must outlive this.
-    ScenePictures(Scene scene, const DiagnosisDraw &draw, const PointSamples &samples);
+    /// `sampler` must outlive this.
+    ScenePictures(Scene scene, Sampler &sampler);
 
     [[nodiscard]] const Scene &scene() const { return scene_; }
-    /// The samples of a technique's picture, drawn once and cheaply: by the program that can do every scene, which is
-    /// built once, or in double where that one refuses the technique. Never null.
-    const Image *samples(const Technique &technique);
+    /// ... under the camera of the samples.
+    [[nodiscard]] const Scene &sampled_scene() const { return sampled_; }
+    /// The samples of a technique's picture, drawn once.
+    const Image &samples(const Technique &technique);
     /// The whole picture by the cheap program.
     [[nodiscard]] std::optional<Image> cheap_whole(const Technique &technique) const;
     /// The whole picture by the scene's own program. Nothing where the scene refuses the technique.
@@ -45,9 +67,8 @@ class ScenePictures {
 
   private:
     Scene scene_, sampled_;
-    const DiagnosisDraw &draw_;
-    PointSamples samples_;
-    std::map<Technique, std::optional<Image>> drawn_;
+    Sampler &sampler_;
+    std::map<Technique, Image> drawn_;
 };
 
 /// The picture of the first of the program that can do every scene and the scene's own that takes the technique.

@@ -14,13 +14,17 @@ struct TrialScene {
     std::string arguments; ///< as commands take it: "vase", "studio --set camera.position=[0,1,6]"
     Scene scene;
 };
-/// `scene`, which commands call `arguments`, turned, seen nearer and with other materials; then the built-in scenes.
-/// Those that show the scene as it is are left out.
+/// `scene`, which commands call `arguments`, turned, seen nearer, under moved lights and with other materials.
+std::vector<TrialScene> changed_scenes(const Scene &scene, const std::string &arguments);
+/// The built-in scenes under all their views.
+std::vector<TrialScene> builtin_trials(const Assets &assets);
+/// Both.
 std::vector<TrialScene> trial_scenes(const Scene &scene, const std::string &arguments, const Assets &assets);
 
-/// The trial that tells most of the ties apart from a technique, among those by most levels of 8 bits.
+/// The trial that tells most of a technique and its ties apart from each other, among those by most levels of 8 bits.
 struct Proposal {
     std::string arguments;
+    Scene scene;
     std::vector<Technique> told; ///< the ties that differ there by at least told_levels
     double levels = 0;           ///< the least of those differences' largest
 };

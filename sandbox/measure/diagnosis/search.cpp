@@ -60,7 +60,7 @@ void keep_nearest(std::vector<Survivor> &survivors, std::vector<Survivor> ruled_
 
 Search::Search(const Scene &scene, const Observed &observed, const DiagnosisDraw &draw, std::function<void()> report)
     : scene_(scene), observed_(observed), draw_(draw), report_(std::move(report)),
-      samples_(point_samples(observed.numbers.size, most_samples)) {
+      sampler_(draw, point_samples(observed.numbers.size, most_samples)), samples_(sampler_.samples()) {
     report_();
     // Every technique puts the same triangles in the same places; without a specular term the program is small.
     Technique plain;
@@ -89,16 +89,11 @@ std::size_t Search::allowed(Strictness strictness) const {
     return std::max(least_allowed, static_cast<std::size_t>(share * static_cast<double>(sampled_count_)));
 }
 
-std::optional<Difference> Search::sampled_difference(ScenePictures &pictures, const Technique &technique,
-                                                     const Reading &reading) {
+Difference Search::sampled_difference(ScenePictures &pictures, const Technique &technique, const Reading &reading) {
     report_();
     ++drawn_;
-    const Image *image = pictures.samples(technique);
-    if (image == nullptr) {
-        return std::nullopt;
-    }
-    return difference_of(observed(reading, false), shown_levels(*image, reading, observed_.bytes), sampled_shown_,
-                         tolerated_levels);
+    return difference_of(observed(reading, false), shown_levels(pictures.samples(technique), reading, observed_.bytes),
+                         sampled_shown_, tolerated_levels);
 }
 
 PixelMask Search::masked_pixels(const ScenePictures &pictures, const Technique &technique) const {
@@ -112,6 +107,61 @@ PixelMask Search::masked_pixels(const ScenePictures &pictures, const Technique &
     return mask;
 }
 
+std::vector<double> Search::power_rounding(const Scene &scene, const Technique &technique) {
+    // The cosine that is raised comes from three vectors, each made unit and rounded, and a mirrored or half vector: it
+    // errs by some 8 units of 2^-24. Its n-th power, and n log2 of it, err by n times that, relatively.
+    constexpr double cosine_rounding = 8 * 0x1p-24;
+    constexpr double least = 1e-4; // a fortieth of a level in white
+    Scene shine = scene;
+    shine.ambient = glm::dvec3(0);
+    for (Light &light : shine.lights) {
+        light.ambient = light.diffuse = 0;
+    }
+    std::vector<double> relative{0}; // of object ids
+    for (Object &object : shine.objects) {
+        object.material.emission = glm::dvec3(0);
+        const double scale = reflection(technique.model).scaled_exponent ? scene.blinn_exponent_scale : 1;
+        relative.push_back(cosine_rounding * scale * object.material.shininess);
+    }
+    if (!reflection(technique.model).specular || *std::ranges::max_element(relative) < least) {
+        return {};
+    }
+    const auto image = ScenePictures(shine, sampler_).whole(technique);
+    std::vector<double> rounding(ids_.size());
+    for (std::size_t i = 0; image && i < rounding.size(); ++i) {
+        const glm::vec4 &pixel = image->pixels[i];
+        rounding[i] = 255 * relative[ids_[i]] * static_cast<double>(std::max({pixel.r, pixel.g, pixel.b}));
+    }
+    return rounding;
+}
+
+bool Search::within_rounding(const ScenePictures &pictures, const Technique &technique, const Levels &seen,
+                             const Levels &drawn, const PixelMask &compared) {
+    const std::vector<double> rounding = power_rounding(pictures.scene(), technique);
+    for (std::size_t i = 0; i < 3 * rounding.size(); ++i) {
+        const double by = std::abs(static_cast<double>(seen[i]) - static_cast<double>(drawn[i]));
+        if (compared[i / 3] != 0 && !(by <= tolerated_levels + rounding[i / 3])) {
+            return false;
+        }
+    }
+    return !rounding.empty();
+}
+
+bool Search::hopeless_beside_masks(const ScenePictures &pictures, const Technique &technique, const Reading &reading) {
+    // The samples' pixels are larger, and so are their masks.
+    const ReferenceFrame truth =
+        render_reference(pictures.sampled_scene(), draw_.load(pictures.sampled_scene()), technique, samples_.size);
+    const std::vector<PixelUse> uses = pixel_uses(sampled(ids_, samples_), truth);
+    PixelMask mask = sampled_inside_;
+    for (std::size_t i = 0; i < mask.size(); ++i) {
+        mask[i] = mask[i] != 0 && uses[i] == PixelUse::compared ? 1 : 0;
+    }
+    // The picture tried may itself be a level from the one in double.
+    return difference_of(observed(reading, false), shown_levels(to_frame(truth).color, reading, observed_.bytes), mask,
+                         2 * tolerated_levels)
+               .over > least_allowed;
+}
+
 std::optional<Found> Search::explain(ScenePictures &pictures, const std::vector<Candidate> &candidates,
                                      const Reading &reading, Strictness strictness,
                                      const std::vector<Convention> &conventions) {
@@ -119,20 +169,24 @@ std::optional<Found> Search::explain(ScenePictures &pictures, const std::vector<
     std::vector<Survivor> survivors;
     std::vector<Survivor> ruled_out;
     for (const Candidate &candidate : candidates) {
-        const auto whole = sampled_difference(pictures, candidate.technique, reading);
-        if (!whole || whole->compared == 0) {
+        const Difference whole = sampled_difference(pictures, candidate.technique, reading);
+        if (whole.compared == 0) {
             continue;
         }
-        if (!nearest_ || whole->rms < nearest_->rms) {
-            nearest_ = {candidate.technique, reading, pictures.scene(), conventions, whole->rms};
+        if (!nearest_ || whole.rms < nearest_->rms) {
+            nearest_ = {candidate.technique, reading, pictures.scene(), conventions, whole.rms};
         }
-        const Image *image = pictures.samples(candidate.technique);
         const std::size_t over =
-            !masked ? whole->over
-                    : difference_of(observed(reading, false), shown_levels(*image, reading, observed_.bytes),
+            !masked ? whole.over
+                    : difference_of(observed(reading, false),
+                                    shown_levels(pictures.samples(candidate.technique), reading, observed_.bytes),
                                     sampled_inside_, tolerated_levels)
                           .over;
-        (over <= allowed(strictness) ? survivors : ruled_out).push_back({&candidate, whole->rms});
+        if (over <= allowed(strictness)) {
+            survivors.push_back({&candidate, whole.rms});
+        } else if (2 * over < whole.compared) {
+            ruled_out.push_back({&candidate, whole.rms});
+        }
     }
     if (!masked && conventions.empty() && reading == Reading{}) {
         keep_nearest(survivors, ruled_out);
@@ -145,15 +199,22 @@ std::optional<Found> Search::explain(ScenePictures &pictures, const std::vector<
     }
     for (const auto &[candidate, rms] : survivors) {
         report_();
+        if (masked && hopeless_beside_masks(pictures, candidate->technique, reading)) {
+            continue;
+        }
         const auto image = pictures.whole(candidate->technique);
         if (!image) {
             continue;
         }
         PixelMask compared = masked ? masked_pixels(pictures, candidate->technique) : shown_;
-        const Difference residual = difference_of(
-            observed(reading, true), shown_levels(*image, reading, observed_.bytes), compared, tolerated_levels);
+        const Levels drawn = shown_levels(*image, reading, observed_.bytes);
+        const Difference residual = difference_of(observed(reading, true), drawn, compared, tolerated_levels);
         const auto shown = static_cast<double>(std::ranges::count(shown_, 1));
-        if (residual.largest <= tolerated_levels && static_cast<double>(residual.compared) >= trusted_share * shown) {
+        const bool explained =
+            residual.largest <= tolerated_levels ||
+            (masked && reading.encoding == Encoding::linear &&
+             within_rounding(pictures, candidate->technique, observed(reading, true), drawn, compared));
+        if (explained && static_cast<double>(residual.compared) >= trusted_share * shown) {
             return Found{candidate->technique, candidate->same, candidate->faults, residual, std::move(compared)};
         }
     }
@@ -162,50 +223,72 @@ std::optional<Found> Search::explain(ScenePictures &pictures, const std::vector<
 
 std::vector<Technique> Search::ties(ScenePictures &pictures, const std::vector<Candidate> &candidates,
                                     const Found &found, const Reading &reading) {
+    // Samples in double and of a program may be a level apart by rounding.
+    const PixelMask compared = sampled(found.compared, samples_);
+    const Levels some = shown_levels(pictures.samples(found.technique), reading, true);
+    std::vector<const Candidate *> close;
+    for (const Candidate &candidate : candidates) {
+        report_();
+        if (candidate.technique == found.technique ||
+            difference_of(some, shown_levels(pictures.samples(candidate.technique), reading, true), compared,
+                          2 * tolerated_levels)
+                    .over <= allowed(Strictness::everywhere)) {
+            close.push_back(&candidate);
+        }
+    }
     Reading clamping = reading;
     clamping.clamped = true;
-    const Levels whole = shown_levels(pictures.whole(found.technique).value(), reading, true);
-    const Levels some = shown_levels(*pictures.samples(found.technique), reading, true);
-    const PixelMask compared = sampled(found.compared, samples_);
-    std::optional<Levels> cheap_found;
-    if (const auto image = pictures.cheap_whole(found.technique)) {
-        cheap_found = shown_levels(*image, clamping, false);
-    }
-    std::vector<Technique> tied;
-    const auto add = [&](const std::vector<Technique> &same) {
-        std::ranges::copy_if(same, std::back_inserter(tied), [&](const Technique &t) { return t != found.technique; });
+    // A few programs of their own are built sooner than the one for all of a frequency.
+    const auto worth_building = [&](const Technique &technique) {
+        constexpr std::ptrdiff_t few = 3;
+        return std::ranges::count_if(close, [&](const Candidate *candidate) {
+                   return candidate->technique.frequency == technique.frequency;
+               }) > few;
     };
-    for (const Candidate &candidate : candidates) {
-        if (candidate.technique == found.technique) {
-            add(candidate.same);
-            continue;
+    std::optional<Levels> cheap_found;
+    if (std::ranges::any_of(close, [&](const Candidate *c) { return worth_building(c->technique); })) {
+        if (const auto image = pictures.cheap_whole(found.technique)) {
+            cheap_found = shown_levels(*image, clamping, false);
         }
-        report_();
-        const Image *image = pictures.samples(candidate.technique);
-        if (image == nullptr ||
-            difference_of(some, shown_levels(*image, reading, true), compared, tolerated_levels).over >
-                allowed(Strictness::everywhere)) {
-            continue;
+    }
+    const Levels whole = shown_levels(pictures.whole(found.technique).value(), reading, true);
+    const auto is_tied = [&](const Technique &technique) {
+        if (technique == found.technique) {
+            return true;
         }
-        const auto cheap = pictures.cheap_whole(candidate.technique);
-        if (cheap && cheap_found) {
+        const bool cheaply = cheap_found && worth_building(technique);
+        if (const auto cheap = cheaply ? pictures.cheap_whole(technique) : std::nullopt) {
             const Levels levels = shown_levels(*cheap, clamping, false);
             if (difference_of(*cheap_found, levels, found.compared, 0).largest <= surely_tied) {
-                add(candidate.same);
-                continue;
+                return true;
             }
             if (difference_of(*cheap_found, levels, found.compared, surely_apart).over > least_allowed) {
-                continue;
+                return false;
             }
         }
-        const auto other = pictures.whole(candidate.technique);
-        if (other &&
-            difference_of(whole, shown_levels(*other, reading, true), found.compared, tolerated_levels).largest <=
-                tolerated_levels) {
-            add(candidate.same);
+        const auto other = pictures.whole(technique);
+        return other &&
+               difference_of(whole, shown_levels(*other, reading, true), found.compared, 0).largest <= tolerated_levels;
+    };
+    std::vector<Technique> tied;
+    for (const Candidate *candidate : close) {
+        report_();
+        if (is_tied(candidate->technique)) {
+            std::ranges::copy_if(candidate->same, std::back_inserter(tied),
+                                 [&](const Technique &t) { return t != found.technique; });
         }
     }
     return tied;
+}
+
+bool Search::may_explain(const Equations &equations, const std::vector<double> &light, const Reading &reading) {
+    const Levels &levels = observed(reading, false);
+    std::size_t over = 0;
+    for (std::size_t i = 0; i < light.size(); ++i) {
+        const double level = 255 * encoded(light[i], reading.encoding);
+        over += std::abs(level - static_cast<double>(levels[equations.values[i]])) > 2 * tolerated_levels ? 1 : 0;
+    }
+    return over <= 3 * allowed(Strictness::masked); // three channels a sample
 }
 
 Search::Equations Search::equations(const Reading &reading) const {

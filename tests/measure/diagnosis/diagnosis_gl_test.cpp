@@ -25,7 +25,7 @@ TEST_F(DiagnosisOnTheRenderer, SingleFaultsAreNamedOrHonestlyTied) {
         for (const char *base : {"per-vertex/phong", "per-pixel/blinn-phong"}) {
             for (const FaultyPicture &picture :
                  faulty_pictures(name, scene(name), parse_technique(base), 1, draw, size)) {
-                table.add(picture, diagnose({picture.scene, picture.observed, picture.base, {}}, draw));
+                table.add(picture, diagnose({picture.scene, picture.observed, picture.base, {}, {}}, draw));
             }
         }
     }
@@ -37,10 +37,20 @@ TEST_F(DiagnosisOnTheRenderer, PairsOfFaultsAreNamedOrTiedAndNeverTakenForOne) {
     ConfusionTable table;
     for (const FaultyPicture &picture : faulty_pictures("three-point-lights", scene("three-point-lights"),
                                                         parse_technique("per-pixel/phong"), 2, draw, size, 9)) {
-        table.add(picture, diagnose({picture.scene, picture.observed, picture.base, {}}, draw));
+        table.add(picture, diagnose({picture.scene, picture.observed, picture.base, {}, {}}, draw));
     }
     EXPECT_EQ(table.count(Naming::misnamed), 0U) << table.text();
     EXPECT_GE(table.count(Naming::named) + table.count(Naming::tied), 4 * table.count(Naming::unknown)) << table.text();
+}
+
+TEST_F(DiagnosisOnTheRenderer, AFaultUnderOtherLightOrWrittenOtherwiseIsNamed) {
+    ConfusionTable table;
+    for (const FaultyPicture &picture : unconventional_pictures("three-point-lights", scene("three-point-lights"),
+                                                                parse_technique("per-pixel/phong"), draw, size, 37)) {
+        table.add(picture, diagnose({picture.scene, picture.observed, picture.base, {}, {}}, draw));
+    }
+    EXPECT_EQ(table.count(Naming::misnamed) + table.count(Naming::unknown), 0U) << table.text();
+    EXPECT_GT(table.count(Naming::named), 4U) << table.text();
 }
 
 /// Every technique with at most one fault is drawn whole, and compared.
@@ -51,7 +61,7 @@ TEST_F(DiagnosisOnTheRenderer, TiesAreExactlyThoseWithinALevel) {
         return to_display(draw.picture(studio, technique, size, false).color);
     };
     const ByteImage right = bytes(base);
-    const Diagnosis diagnosis = diagnose({studio, {from_bytes(size, right.rgb.data(), 3), true}, base, {}}, draw);
+    const Diagnosis diagnosis = diagnose({studio, {from_bytes(size, right.rgb.data(), 3), true}, base, {}, {}}, draw);
     EXPECT_EQ(diagnosis.verdict, Verdict::right);
     EXPECT_EQ(diagnosis.technique, base);
     EXPECT_EQ(diagnosis.residual.largest, 0);

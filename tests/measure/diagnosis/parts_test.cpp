@@ -148,10 +148,11 @@ TEST(Conventions, PartsOfTheLightAddUpAndTakeFactors) {
 }
 
 TEST(Conventions, FactorsArePlainNumbers) {
-    EXPECT_EQ(plain_factor(0.99998), 1);
-    EXPECT_EQ(plain_factor(-1e-4), 0);
-    EXPECT_EQ(plain_factor(1.9981), 2);
-    EXPECT_EQ(plain_factor(0.70012), 0.7);
+    EXPECT_EQ(plain_factor(0.99998, 1), 1);
+    EXPECT_EQ(plain_factor(-0.7, 10), 0);
+    EXPECT_EQ(plain_factor(1.9981, 10), 2);
+    EXPECT_EQ(plain_factor(0.7031, 10), 0.7);
+    EXPECT_EQ(plain_factor(0.7031, 1000), 0.703);
 }
 
 TEST(Conventions, EditsAreThoseThatTheSceneCanShow) {
@@ -190,6 +191,16 @@ TEST(Candidates, AGivenTechniqueKeepsItsVariantsAndLosesItsFaults) {
     const auto bases = base_techniques(parse_technique("per-pixel/blinn-phong:gate=none,normalisation=blinn-phong"));
     ASSERT_EQ(bases.size(), 1U);
     EXPECT_EQ(to_string(bases[0]), "per-pixel/blinn-phong:normalisation=blinn-phong");
+}
+
+TEST(Candidates, OwnShadingTellsItsFrequencyAlone) {
+    const Technique own{.frequency = Frequency::per_vertex, .model = Model::own};
+    const auto bases = base_techniques(own);
+    ASSERT_EQ(bases.size(), all_models.size());
+    for (const Technique &base : bases) {
+        EXPECT_EQ(base.frequency, Frequency::per_vertex);
+        EXPECT_NE(base.model, Model::own);
+    }
 }
 
 TEST(Candidates, PairsHaveTwoFaultsOfTwoKeys) {

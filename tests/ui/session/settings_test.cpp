@@ -25,9 +25,9 @@ TEST_F(SettingsTest, WhatIsWrittenIsRead) {
                       .language = "zh",
                       .window = {1000, 700},
                       .panel_sizes = {30, 0.5F},
-                      .recent = {"/a.json"},
-                      .lessons = {"two-sided", 3, {{"two-sided", {0, 1, 3}}, {"/mine.json", {0}}}},
-                      .exercises = {"lambert", "/mine.json"}};
+                      .recent = {"/a.json"}};
+    settings.lessons = {"two-sided", 3, {{"two-sided", {0, 1, 3}}, {"/mine.json", {0}}}};
+    settings.exercises = {"lambert", "/mine.json"};
     write_settings(folder.path() / "a" / "settings.json", settings); // makes the folder
     EXPECT_EQ(read(), settings);
     EXPECT_EQ(message, "");
