@@ -59,7 +59,7 @@ TEST_F(MarkGl, AClassIsMarkedTermByTerm) {
                                                    ? std::vector<std::string>{"ambient", "diffuse", "specular", "sum"}
                                                    : std::vector<std::string>{"ambient", "diffuse", "specular", "cone"};
         const Technique target = parse_technique(name == "phong" ? "per-pixel/phong" : "per-pixel/blinn-phong");
-        const auto answers = answer_class(target, terms, 24, 3);
+        const auto answers = answer_class(target, terms, 16, 3);
         fs::create_directory(folder.path() / name);
         for (const ClassAnswer &answer : answers) {
             folder.write(name + "/" + answer.name, answer.text);

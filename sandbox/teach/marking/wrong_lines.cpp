@@ -179,7 +179,7 @@ constexpr WrongLine lines[]{
      "\nvec3 normal(vec3 n) { return normalize(mat3(model_matrix) * n); }\n"},
     {"normals-untransformed", {normals}, Kind::with_object, "", "\nvec3 normal(vec3 n) { return n; }\n"},
     {"normals-with-translation",
-     {normals},
+     {normals, diffuse, specular},
      Kind::shape,
      "",
      "\nvec3 normal(vec3 n) { return normalize((model_matrix * vec4(n, 1.0)).xyz); }\n"},
