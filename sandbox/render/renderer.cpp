@@ -148,7 +148,7 @@ struct Renderer::Impl {
     }
 
     [[nodiscard]] bool drawn_elsewhere(const Technique &technique) const {
-        return technique.model == Model::own && own_drawing;
+        return technique.model == Model::own && own_drawing && !technique.own.is_trusted();
     }
 
     /// The picture comes from elsewhere; the depth, which hides what is drawn over it, from here.

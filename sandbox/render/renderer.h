@@ -28,8 +28,8 @@ class Renderer {
     Renderer(const Renderer &) = delete;
     Renderer &operator=(const Renderer &) = delete;
 
-    /// From here on own shading is drawn by `own` (see OwnProcess), and never by this renderer's driver. Then no own
-    /// picture is drawn by draw_shown() or draw_unguarded(): std::logic_error.
+    /// From here on own shading that strangers wrote is drawn by `own` (see OwnProcess), never by this driver; then
+    /// draw_shown() and draw_unguarded() throw std::logic_error for it.
     void draw_own_by(OwnDrawing own);
 
     /// Clears `target` and draws `scene` as `technique` says. Programs are built when first needed and kept.

@@ -10,8 +10,8 @@
 
 namespace sandbox {
 
-OwnShader::OwnShader(std::string file, std::string text)
-    : text_(std::make_shared<const OwnText>(read_own_text(std::move(file), std::move(text)))) {}
+OwnShader::OwnShader(std::string file, std::string text, Author author)
+    : text_(std::make_shared<const OwnText>(read_own_text(std::move(file), std::move(text)))), author_(author) {}
 
 std::strong_ordering operator<=>(const OwnShader &a, const OwnShader &b) {
     if (a.text_ == b.text_) {

@@ -13,8 +13,12 @@ struct OwnText;
 class OwnShader {
   public:
     OwnShader() = default;
+    enum class Author { stranger, program };
     /// `file` is what messages call it. Throws InputError "file:line: ..." for what is not accepted (see own_text.h).
-    OwnShader(std::string file, std::string text);
+    OwnShader(std::string file, std::string text, Author author = Author::stranger);
+
+    /// Written by this program itself: it needs no process of its own.
+    [[nodiscard]] bool is_trusted() const { return author_ == Author::program; }
 
     explicit operator bool() const { return text_ != nullptr; }
     const OwnText &operator*() const { return *text_; }
@@ -25,6 +29,7 @@ class OwnShader {
 
   private:
     std::shared_ptr<const OwnText> text_;
+    Author author_ = Author::stranger; ///< no part of what it is: equal texts are equal
 };
 
 /// The text of a file; an empty name: none. Throws InputError.

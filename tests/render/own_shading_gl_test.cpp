@@ -172,5 +172,21 @@ TEST_F(OwnShading, HasNoReference) {
                  InputError);
 }
 
+TEST_F(OwnShading, StrangersTextsAreDrawnElsewhereAndTheProgramsOwnHere) {
+    const std::string text = "vec3 lighting(vec3 P, vec3 N, vec3 eye) { return vec3(0.5); }";
+    const Frame elsewhere{Image(size, glm::vec4(0.25F)), {}, 1};
+    renderer.draw_own_by([&](const Scene &, const Technique &, Size, bool) { return elsewhere; });
+    Technique technique = own(Frequency::per_pixel, text);
+    const Scene scene = scene_named("point-light");
+    EXPECT_EQ(renderer.render(scene, technique, size).color.at(80, 60), glm::vec4(0.25F));
+    Target target(size);
+    renderer.draw(scene, technique, target);
+    EXPECT_EQ(target.read_pixel(80, 60), glm::vec4(0.25F));
+    ScreenTarget screen(size);
+    EXPECT_THROW(renderer.draw_shown(scene, technique, {}, screen), std::logic_error);
+    technique.own = OwnShader("own.glsl", text, OwnShader::Author::program);
+    EXPECT_EQ(renderer.render(scene, technique, size).color.at(80, 60).x, 0.5F);
+}
+
 } // namespace
 } // namespace sandbox

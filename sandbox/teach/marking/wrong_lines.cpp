@@ -218,7 +218,7 @@ std::optional<OwnShader> wrong_text(const WrongLine &line, const Exercise &exerc
             text.replace(at, line.from.size(), line.to);
         }
     }
-    return OwnShader(std::string(line.id), std::move(text));
+    return OwnShader(std::string(line.id), std::move(text), OwnShader::Author::program);
 }
 
 } // namespace sandbox
