@@ -19,6 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr int deepest_folder = 8; ///< below one that is named: a class, a student, what an archive unpacks to
 constexpr std::uintmax_t most_picture_bytes = std::uintmax_t{32} << 20; ///< a .pfm of most_handed_in_pixels has 27 MB
 
 std::string ending_of(const fs::path &path) {
@@ -35,8 +36,14 @@ bool is_answer(const fs::path &path) {
 void add_folder(std::vector<AnswerFile> &answers, const fs::path &folder) {
     std::vector<fs::path> found;
     std::error_code failed;
-    for (fs::directory_iterator at(folder, failed), end; !failed && at != end; at.increment(failed)) {
-        if (is_answer(at->path())) {
+    constexpr auto options = fs::directory_options::skip_permission_denied; // links to folders are not followed
+    for (fs::recursive_directory_iterator at(folder, options, failed), end; !failed && at != end;
+         at.increment(failed)) {
+        std::error_code ignored;
+        if (at.depth() >= deepest_folder) {
+            at.disable_recursion_pending();
+        }
+        if (is_answer(at->path()) && !at->is_directory(ignored)) {
             found.push_back(at->path());
         }
     }

@@ -17,7 +17,8 @@ struct AnswerFile {
     bool in_folder = false; ///< found in a folder that was named, not named itself
 };
 
-/// The answers among `given`, in order: files, and of folders their .glsl, .png and .pfm files by name. Throws
+/// The answers among `given`, in order: files, and of folders, with the folders in them, their .glsl, .png and .pfm files
+/// by path. Throws
 /// InputError for what does not exist, and if there is no answer.
 std::vector<AnswerFile> find_answers(const std::vector<std::filesystem::path> &given);
 

@@ -53,6 +53,7 @@ int write_student_copy(const MarkFlags &flags, const Exercise &exercise, const C
     make_folder(flags.student);
     write_inside(flags.student, exercise.name + ".json", student_copy(exercise));
     write_inside(flags.student, exercise.name + ".glsl", student_file(exercise, ShaderParts(shader_assets(common))));
+    note(fmt::format("{0}/{1}.json and {0}/{1}.glsl written", plain_text(flags.student.string()), exercise.name));
     return 0;
 }
 
@@ -81,6 +82,10 @@ int run_mark(const MarkFlags &flags, const CommonOptions &common) {
     const Words words = words_in(flags.language, assets);
     const Exercise exercise = open_exercise(flags.exercise, assets, words);
     if (!flags.student.empty()) {
+        if (!flags.answers.empty()) {
+            throw InputError("mark: --student marks nothing: expected no ANSWER, got {}",
+                             plain_text(flags.answers.front().string()));
+        }
         return write_student_copy(flags, exercise, common);
     }
     if (flags.answers.empty()) {
@@ -127,7 +132,8 @@ void add_mark(CLI::App &app, CommonOptions &common, Run &run) {
     add_value(command, "EXERCISE", "", flags->exercise, "Built-in exercise (see: list), or path of a .json file")
         ->required();
     add_value(command, "ANSWER", "", flags->answers,
-              "Own shaders (.glsl), pictures of the exercise's first scene (.png, .pfm), or folders of them");
+              "Own shaders (.glsl), pictures of the exercise's first scene (.png, .pfm), or folders of them, with all "
+              "folders in those");
     add_value(command, "--hints", "N", flags->hints,
               "0: points alone; 1: and which term is wrong, where; 2: in which way; 3: by which fault [2]");
     add_language(command, flags->language, "Language of what is said [en]");

@@ -169,7 +169,9 @@ class Tokeniser {
             return;
         }
         if (depth >= deepest_define) {
-            refuse_own(file_, token.line, fmt::format("#define {} leads to itself", token.text));
+            refuse_own(
+                file_, token.line,
+                fmt::format("#define {} leads to itself, or through more than {} others", token.text, deepest_define));
         }
         ++expansions_;
         for (OwnToken part : found->second) {

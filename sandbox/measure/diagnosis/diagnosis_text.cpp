@@ -66,7 +66,8 @@ std::string headline(const Diagnosis &diagnosis) {
     const std::string technique = to_string(diagnosis.technique);
     switch (diagnosis.verdict) {
     case Verdict::right:
-        return fmt::format("Right: this is {}; no fault is needed to explain it.\n", technique);
+        return fmt::format("Right: this is {}; no fault is needed to explain it.\n", technique) +
+               (diagnosis.ties.empty() ? "" : "It could have faults that this scene does not show: see below.\n");
     case Verdict::named:
         return fmt::format("This is {}.\n", technique);
     case Verdict::tied:
@@ -140,7 +141,7 @@ std::string diagnosis_text(const Diagnosis &diagnosis, const Scene &scene) {
             text += "  " + to_string(tie) + "\n";
         }
         text += diagnosis.proposal
-                    ? fmt::format("Draw {} to tell {} of them apart: they differ there by {:.0f} levels or more.\n",
+                    ? fmt::format("Draw {} to tell {} of them from it: there they differ by {:.0f} levels or more.\n",
                                   diagnosis.proposal->arguments, diagnosis.proposal->told.size(),
                                   diagnosis.proposal->levels)
                     : "No scene that was tried tells them apart.\n";
