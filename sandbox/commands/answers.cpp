@@ -39,11 +39,10 @@ void add_folder(std::vector<AnswerFile> &answers, const fs::path &folder) {
     constexpr auto options = fs::directory_options::skip_permission_denied; // links to folders are not followed
     for (fs::recursive_directory_iterator at(folder, options, failed), end; !failed && at != end;
          at.increment(failed)) {
-        std::error_code ignored;
         if (at.depth() >= deepest_folder) {
             at.disable_recursion_pending();
         }
-        if (is_answer(at->path()) && !at->is_directory(ignored)) {
+        if (is_answer(at->path())) {
             found.push_back(at->path());
         }
     }

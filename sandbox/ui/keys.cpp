@@ -77,7 +77,7 @@ void draw_help_columns(const Session &session, float width) {
     for (int i = 0; i < (two ? 2 : 1); ++i) {
         ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, column);
     }
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 2}); // else 1280x720 is too low
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 1}); // else 1280x720 is too low
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     for (std::size_t i = 0; i < lines.size(); ++i) {
