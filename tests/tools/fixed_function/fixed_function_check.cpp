@@ -2,19 +2,24 @@
 // home of the formula. Needs a compatibility context (Mesa has one); not part of the build. From a build folder B:
 //   g++ -std=c++20 -Isandbox tests/tools/fixed_function/fixed_function_check.cpp B/libsandbox_core.a
 //       -ljpeg -lEGL -lOpenGL -lpthread -o /tmp/fixed_function_check && /tmp/fixed_function_check
-// Prints a line a scene; exit code 1 where a difference is above 1e-4 of linear colour.
+// Prints a line a scene; exit code 1 where a difference is above 1e-4 of linear colour. With a folder's name, writes
+// scene.json there, its picture right.png, and what OpenGL draws where two of its switches are left as they are at
+// first (unit-normals-off.png, local-viewer-off.png): pictures of another program for `diagnose`.
 #define GL_GLEXT_PROTOTYPES
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <GL/gl.h>
 #include <GL/glext.h>
 
+#include "image/image_file.h"
 #include "measure/metrics/metrics.h"
 #include "scene/resources.h"
+#include "scene/scene_file.h"
 #include "scene/space.h"
 
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -62,12 +67,12 @@ void make_target() {
 
 glm::dmat4 view_of(const Camera &camera) { return glm::lookAt(camera.position, camera.target, camera.up); }
 
-void put_lights(const Scene &scene) {
+void put_lights(const Scene &scene, bool local_viewer) {
     glMatrixMode(GL_MODELVIEW);
     glLoadMatrixd(glm::value_ptr(view_of(scene.camera)));
     const glm::vec4 ambient(scene.ambient, 1);
     glLightModelfv(GL_LIGHT_MODEL_AMBIENT, glm::value_ptr(ambient));
-    glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, 1);
+    glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, local_viewer ? 1 : 0);
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const Light &light = scene.lights[i];
         const auto name = GL_LIGHT0 + static_cast<GLenum>(i);
@@ -117,7 +122,7 @@ void draw(const Scene &scene, const Mesh &mesh) {
 }
 
 /// Ids are the truth's: background pixels are those that stayed black and transparent.
-Frame fixed_function(const Scene &scene, const Mesh &mesh) {
+Frame fixed_function(const Scene &scene, const Mesh &mesh, bool local_viewer = true) {
     glClearColor(0, 0, 0, 0);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     for (const GLenum what : {GL_DEPTH_TEST, GL_CULL_FACE, GL_LIGHTING, GL_NORMALIZE}) {
@@ -132,7 +137,7 @@ Frame fixed_function(const Scene &scene, const Mesh &mesh) {
         glm::perspective(glm::radians(camera.fov_y_degrees), size.width / static_cast<double>(size.height),
                          camera.near_plane, camera.far_plane);
     glLoadMatrixd(glm::value_ptr(projection));
-    put_lights(scene);
+    put_lights(scene, local_viewer);
     draw(scene, mesh);
     Frame frame;
     frame.color.size = size;
@@ -190,9 +195,18 @@ std::vector<Scene> scenes() {
     return list;
 }
 
+void write_pictures(const std::filesystem::path &folder, const Scene &scene, const Mesh &mesh) {
+    std::filesystem::create_directories(folder);
+    write_file(folder / "scene.json", scene_text(scene));
+    for (const bool local_viewer : {true, false}) {
+        write_file(folder / (local_viewer ? "right.png" : "local-viewer-off.png"),
+                   encode_png(to_display(fixed_function(scene, mesh, local_viewer).color)));
+    }
+}
+
 } // namespace
 
-int main() {
+int main(int argc, char **argv) {
     if (!make_context()) {
         std::puts("no compatibility context here");
         return 2;
@@ -200,6 +214,11 @@ int main() {
     std::printf("%s, OpenGL %s\n", glGetString(GL_RENDERER), glGetString(GL_VERSION));
     make_target();
     Resources resources{Assets("assets")};
+    if (argc > 1) {
+        const Scene scene = scenes().front();
+        write_pictures(argv[1], scene, *resources.load(scene)[0].mesh);
+        return 0;
+    }
     bool good = true;
     for (const Scene &scene : scenes()) {
         const auto own = resources.load(scene);
