@@ -34,7 +34,9 @@ TEST_F(ExercisesGl, ATermThatIsWrongGetsItsHint) {
 TEST_F(ExercisesGl, ASolvedExerciseIsKept) {
     write_lambert("max(dot(normalize(N), L), 0.0)");
     const Arguments kept{"--exercise", "lambert", "--settings", "settings.json"};
-    EXPECT_PLAYED(play("wait\nexpect Exercise/points \"8 of 8 points\"\nexpect Status Solved\n", kept));
+    EXPECT_PLAYED(play(
+        "wait\nexpect Exercise/points \"8 of 8 points\"\nexpect Exercise/error \"no error\"\nexpect Status Solved\n",
+        kept));
     EXPECT_PLAYED(play("key H\nwait\nexpect Exercise/lambert solved\n", {"studio", "--settings", "settings.json"}));
 }
 

@@ -43,9 +43,10 @@ void error_steps(Session &session, const std::vector<double> &errors) {
     list.AddLine({corner.x, level}, {corner.x + width, level}, ImGui::GetColorU32(ImGuiCol_Text));
     ImGui::Dummy({width, height});
     ImGui::SameLine();
-    const std::string text = std::isfinite(errors.back())
-                                 ? session.text("exercise_tab.error", fmt::format("{:.2g}", errors.back()))
-                                 : session.text("exercise_tab.not_finite");
+    const double now = errors.back();
+    const std::string text = !std::isfinite(now) ? session.text("exercise_tab.not_finite")
+                             : now == 0          ? session.text("exercise_tab.no_error")
+                                                 : session.text("exercise_tab.error", fmt::format("{:.2g}", now));
     wrapped_text(quiet_text(), text);
     describe_item(session, "error", session.text("exercise_tab.error.help"), text);
 }

@@ -1,4 +1,3 @@
-#include "image/difference.h"
 #include "shading/own_text.h"
 #include "teach/marking/sentences.h"
 #include "ui/jobs/marking_job.h"
@@ -16,6 +15,7 @@
 #include <exception>
 #include <filesystem>
 #include <fmt/format.h>
+#include <glm/common.hpp>
 #include <imgui.h>
 #include <memory>
 #include <string>
@@ -113,12 +113,17 @@ void task(Session &session, const ShownExercise &shown) {
 
 std::string points_text(double points) { return fmt::format("{:.3g}", points); }
 
-/// The largest difference of a channel between what was drawn and what is right.
+/// The largest error of a term in any scene, where it is compared; 0: none was found.
 double error_of(const Mark &mark) {
-    if (mark.student.size != mark.truth.size || mark.student.pixels.empty()) {
-        return INFINITY;
+    double largest = 0;
+    for (const TermResult &result : mark.judgement.terms) {
+        if (result.worst) {
+            const glm::dvec3 apart = glm::abs(result.worst->answer - result.worst->truth);
+            const double most = std::max({apart.x, apart.y, apart.z});
+            largest = std::isfinite(most) ? std::max(largest, most) : INFINITY;
+        }
     }
-    return largest_difference(mark.student, mark.truth);
+    return largest;
 }
 
 } // namespace
