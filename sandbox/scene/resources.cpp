@@ -37,8 +37,9 @@ std::string read_named(const Assets &assets, const std::string &name, const Kind
     for (std::string &path : known) {
         path.erase(0, kind.folder.size());
     }
-    throw InputError("{}: no such {}; looked for it beside the scene file and among the built-in ones ({})", name,
-                     kind.name, fmt::join(known, ", "));
+    throw InputError("{}: no such {}; looked for it beside the scene file (for --set: in the current folder) and among "
+                     "the built-in ones ({})",
+                     name, kind.name, fmt::join(known, ", "));
 }
 
 /// Of an OBJ, its notes go to stderr.
