@@ -2,12 +2,15 @@
 
 #include "image/error.h"
 #include "image/file_io.h"
+#include "scene/mesh_backs.h"
 #include "scene/obj_reader.h"
 #include "scene/space.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdio>
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <string>
@@ -49,6 +52,16 @@ Camera camera_around(const Bounds &bounds, double aspect) {
     return camera;
 }
 
+/// Whether both sides of the triangles are to be lit, and why; empty: the fronts alone are seen. A mesh most of whose
+/// normals stand on the backs of its triangles is lit by those normals.
+std::string why_two_sided(const Mesh &mesh) {
+    const BacksSeen seen = backs_seen(mesh);
+    if (seen == BacksSeen::none || mesh.against_normals > mesh.triangles.size() / 2) {
+        return "";
+    }
+    return seen == BacksSeen::open ? "it does not enclose a volume" : "it is wound inside out";
+}
+
 } // namespace
 
 bool is_model(const fs::path &path) {
@@ -83,6 +96,10 @@ Scene scene_of_model(const fs::path &path, double aspect) {
     Object object;
     object.name = scene.name;
     object.mesh = ObjShape{fs::absolute(path).lexically_normal().string()};
+    if (const std::string why = why_two_sided(mesh); !why.empty()) {
+        object.two_sided = true;
+        fmt::print(stderr, "note: {}: {}: both sides of its triangles are lit (two_sided)\n", path.string(), why);
+    }
     scene.objects = {object};
     return scene;
 }

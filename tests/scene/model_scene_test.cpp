@@ -81,6 +81,16 @@ TEST_F(ModelScene, GoesBackOnlyForNarrowViews) {
     EXPECT_NEAR(reach(open(box(wide), 2.0 / 3).camera, 2.0 / 3, wide).x, 0.95, 1e-9);
 }
 
+/// What is seen of an opened model is lit, whichever way round its triangles run.
+TEST_F(ModelScene, LightsBothSidesWhereBacksAreSeen) {
+    const auto two_sided = [&](const std::string &text) { return open(text).objects.at(0).two_sided; };
+    const std::string cube = corners(glm::dvec3(1));
+    EXPECT_FALSE(two_sided(box(glm::dvec3(1))));
+    EXPECT_TRUE(two_sided(cube + "f 5 6 7 8")) << "open";
+    EXPECT_TRUE(two_sided(cube + "f 8 7 6 5\nf 3 4 1 2\nf 7 3 2 6\nf 4 8 5 1\nf 4 3 7 8\nf 5 6 2 1")) << "inside out";
+    EXPECT_FALSE(two_sided(cube + "vn 0 0 1\nf 8//1 7//1 6//1 5//1")) << "its normals say where the front is";
+}
+
 TEST_F(ModelScene, KnowsModelsByTheirEnding) {
     EXPECT_TRUE(is_model("a.obj"));
     EXPECT_TRUE(is_model("b/a.OBJ"));
