@@ -280,7 +280,7 @@ int run_capture(const CaptureFlags &typed, const CommonOptions &common) {
     options.drawn_over = pfm ? Overlays{} : options.drawn_over;
     options.masks = options.masks && !pfm;
     options.samples = pfm ? 1 : options.samples;
-    const Scene scene = open_scene(common, flags.scene, flags.view);
+    const Scene scene = open_scene(common, flags.scene, flags.view, view_sizes(options.layout, options.size).back());
 
     DrawingSession session(common);
     const DrawnBy by{session.context().renderer(), session.context().version()};

@@ -5,6 +5,7 @@
 #include "image/error.h"
 #include "image/image_file.h"
 #include "image/system_font.h"
+#include "scene/model_scene.h"
 #include "scene/scene_file.h"
 #include "scene/scene_setting.h"
 #include "shading/prepared_object.h"
@@ -36,8 +37,10 @@ void refuse_lost_settings(const CommonOptions &common) {
 Assets scene_assets(const CommonOptions &common) { return Assets("assets", common.assets); }
 Assets shader_assets(const CommonOptions &common) { return Assets("shaders", common.shaders); }
 
-Scene open_scene(const CommonOptions &common, const std::string &name, const std::string &view) {
-    Scene scene = open_scene(name, scene_assets(common));
+Scene open_scene(const CommonOptions &common, const std::string &name, const std::string &view,
+                 std::optional<Size> drawn) {
+    Scene scene = is_model(name) ? scene_of_model(name, drawn ? aspect_of(*drawn) : unknown_aspect)
+                                 : open_scene(name, scene_assets(common));
     for (const std::string &setting : common.settings) {
         scene = with_setting(scene, setting);
     }

@@ -29,8 +29,10 @@ struct CommonOptions {
 Assets scene_assets(const CommonOptions &common);
 Assets shader_assets(const CommonOptions &common);
 
-/// SCENE with every --set applied and the camera of the view named `view` (empty: the scene's own camera).
-Scene open_scene(const CommonOptions &common, const std::string &scene, const std::string &view = {});
+/// SCENE with every --set applied and the camera of the view named `view` (empty: the scene's own camera). The camera
+/// around a model fits it into views of the size `drawn` (none: of unknown_aspect).
+Scene open_scene(const CommonOptions &common, const std::string &scene, const std::string &view = {},
+                 std::optional<Size> drawn = {});
 
 /// A word as a shell takes it: in quotes unless it is plain.
 std::string quoted(const std::string &word);

@@ -157,7 +157,7 @@ int run_compare(const CompareFlags &flags, const CommonOptions &common) {
     if (flags.max_abs && !(std::isfinite(*flags.max_abs) && *flags.max_abs >= 0)) {
         throw InputError("--max-abs: expected a number >= 0");
     }
-    const Scene scene = open_scene(common, flags.scene, flags.view);
+    const Scene scene = open_scene(common, flags.scene, flags.view, flags.size);
 
     DrawingSession session(common);
     const Frame drawn = session.renderer().render(scene, left, flags.size, true);

@@ -82,20 +82,25 @@ int run_diagnose(const DiagnoseFlags &flags, const CommonOptions &common) {
         check_output(flags.out, {".png"});
     }
     const OwnShader own = read_own(flags.own);
-    DiagnosisRequest request{open_scene(common, flags.scene, flags.view), {}, known_technique(flags, own), {}, {}};
+    DiagnosisRequest request;
+    request.technique = known_technique(flags, own);
+    Size size = flags.size.value_or(Size{640, 480});
+    if (!own) {
+        request.observed = read_picture(flags.picture);
+        size = request.observed.numbers.size;
+        with_flag(flags.picture.string(), [&] { check_size(size); });
+    }
+    request.scene = open_scene(common, flags.scene, flags.view, size);
     const std::string arguments = scene_arguments(common, flags.scene, flags.view);
     if (own) { // it may hold for such a scene alone
         request.trials = {changed_scenes(request.scene, arguments), builtin_trials(scene_assets(common))};
     } else {
         request.trials = {trial_scenes(request.scene, arguments, scene_assets(common))};
-        request.observed = read_picture(flags.picture);
-        with_flag(flags.picture.string(), [&] { check_size(request.observed.numbers.size); });
     }
 
     DrawingSession session(common);
     if (own) {
-        draw_observed(request, own, flags.size.value_or(Size{640, 480}),
-                      diagnosis_drawn_by(session.renderer()).picture);
+        draw_observed(request, own, size, diagnosis_drawn_by(session.renderer()).picture);
     }
     ProgressBar bar("diagnose");
     const auto start = std::chrono::steady_clock::now();

@@ -49,12 +49,12 @@ PictureOptions pair_of(const FiguresFlags &flags, const Scene &scene) {
 FigureRequest request_of(const FiguresFlags &flags, const CommonOptions &common) {
     FigureRequest request;
     request.name = flags.scene;
-    request.scene = open_scene(common, flags.scene, flags.view);
+    request.view = flags.size.value_or(request.view);
+    request.scene = open_scene(common, flags.scene, flags.view, request.view);
     if (request.scene.objects.empty()) {
         throw InputError("{}: objects: expected at least one, for figures of it", flags.scene);
     }
     request.pair = pair_of(flags, request.scene);
-    request.view = flags.size.value_or(request.view);
     request.scene_arguments = scene_arguments(common, flags.scene, flags.view);
     for (const auto &[flag, folder] : {std::pair("--assets", common.assets), std::pair("--shaders", common.shaders)}) {
         request.common_arguments += folder.empty() ? "" : fmt::format(" {} {}", flag, quoted(folder.string()));

@@ -20,7 +20,7 @@ struct ReferenceFlags {
 
 int run_reference(const ReferenceFlags &flags, const CommonOptions &common) {
     const bool pfm = check_output(flags.out, {".png", ".pfm"}) == ".pfm";
-    const Scene scene = open_scene(common, flags.scene, flags.view);
+    const Scene scene = open_scene(common, flags.scene, flags.view, flags.size);
     const std::vector<ObjectResources> resources = Resources(scene_assets(common)).load(scene);
     const Surface surface = flags.surface == "analytic" ? Surface::analytic : Surface::mesh;
     ProgressBar bar("reference " + flags.out.filename().string());

@@ -90,7 +90,7 @@ int run_report(const ReportFlags &flags, const CommonOptions &common) {
     const PlanOptions options = plan_options(flags);
     std::optional<Scene> scene;
     if (!flags.scene.empty()) {
-        scene = open_scene(common, flags.scene, flags.view);
+        scene = open_scene(common, flags.scene, flags.view, plan_options(flags).size);
     }
     make_folder(flags.out); // before the work, not after it
     if (scene) {

@@ -76,7 +76,7 @@ int run_time(const TimeFlags &flags, const CommonOptions &common) {
     OwnTechniques techniques(flags.own);
     const Technique technique = techniques.single("--technique", flags.technique);
     techniques.require_all_used();
-    const Scene scene = open_scene(common, flags.scene);
+    const Scene scene = open_scene(common, flags.scene, {}, flags.size);
 
     DrawingSession session(common, DrawingSession::Own::drawn_here);
     TimedFrames timed(session.renderer(), scene, technique, flags.size);

@@ -1,158 +1,161 @@
 #include "scene/obj_reader.h"
 
 #include "image/error.h"
+#include "scene/obj_faces.h"
+#include "scene/obj_mesh.h"
+#include "scene/obj_text.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
+#include <cstdint>
 #include <fmt/format.h>
-#include <glm/geometric.hpp>
+#include <iterator>
+#include <limits>
 #include <map>
-#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace sandbox {
 namespace {
 
-constexpr std::uint32_t none = 0xffffffffU;
-
-/// Indices into the file's v, vt and vn lists; `none` where a corner names none.
-using Corner = std::array<std::uint32_t, 3>;
-
-double largest_part(const glm::dvec3 &v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
-/// Scaled first: the square of 1e-200 is 0. Zero stays zero.
-glm::dvec3 unit(const glm::dvec3 &v) {
-    const double largest = largest_part(v);
-    return largest > 0 ? glm::normalize(v / largest) : glm::dvec3(0);
-}
+/// Elements that are drawn by no triangle.
+struct Undrawn {
+    std::string_view keyword, one, many;
+};
+constexpr std::array<Undrawn, 5> undrawn{{{"l", "line", "lines"},
+                                          {"p", "point", "points"},
+                                          {"curv", "curve", "curves"},
+                                          {"curv2", "curve on a surface", "curves on surfaces"},
+                                          {"surf", "free-form surface", "free-form surfaces"}}};
 
 class ObjReader {
   public:
-    ObjReader(std::string_view text, std::string_view name) : text_(text), name_(name) {}
+    ObjReader(std::string_view text, std::string_view name) : text_(text, name), name_(name) {}
 
-    Mesh read() {
-        while (next_line()) {
-            const std::string_view keyword = next_word();
-            if (keyword == "v") {
-                positions_.push_back(read_vector(3, 1e9));
-            } else if (keyword == "vt") {
-                const glm::dvec3 uv = read_vector(1, 1e9);
-                uvs_.emplace_back(uv.x, uv.y);
-            } else if (keyword == "vn") {
-                file_normals_.push_back(read_vector(3, 1e300));
-                normals_.push_back(unit(file_normals_.back()));
-            } else if (keyword == "f") {
-                read_face();
-            } else if (keyword == "mtllib") {
-                fmt::print(stderr, "note: {}:{}: mtllib is ignored; materials come from the scene\n", name_,
-                           line_number_);
-            }
+    Mesh read(std::vector<std::string> &notes) {
+        while (text_.next_line()) {
+            read_line();
         }
-        if (mesh_.triangles.empty()) {
+        if (file_.faces.empty() && !undrawn_text().empty()) {
+            throw InputError("{}: expected faces (f), got {} only", name_, undrawn_text());
+        }
+        check_indices();
+        Mesh mesh = mesh_of_faces_here();
+        if (mesh.triangles.empty()) {
             throw InputError("{}: expected at least one triangle with an area, got none", name_);
         }
-        finish();
-        return std::move(mesh_);
+        add_notes(notes);
+        return mesh;
     }
 
   private:
-    std::string_view text_, line_;
+    ObjText text_;
     std::string name_;
-    std::size_t line_number_ = 0;
-    std::vector<glm::dvec3> positions_, normals_, file_normals_;
-    std::vector<std::array<std::uint32_t, 3>> flat_; ///< triangles without area, which are dropped, by position
-    std::vector<glm::dvec2> uvs_;
-    std::map<Corner, std::uint32_t> vertices_;
-    std::vector<Corner> corners_; ///< of each vertex of the mesh
-    Mesh mesh_;
+    ObjFaces file_;
+    SmoothingGroup group_ = ungrouped;
+    std::map<std::string, SmoothingGroup, std::less<>> groups_;
+    std::array<std::size_t, undrawn.size()> undrawn_counts_{};
+    std::size_t libraries_ = 0;
 
-    template <typename... Values>
-    [[noreturn]] void refuse(fmt::format_string<Values...> what, Values &&...values) const {
-        throw InputError("{}:{}: {}", name_, line_number_, fmt::format(what, std::forward<Values>(values)...));
+    void read_line() {
+        const std::string_view keyword = text_.next_word();
+        if (keyword == "v") {
+            file_.positions.push_back(read_position());
+        } else if (keyword == "vt") {
+            file_.uvs.push_back(read_uv());
+        } else if (keyword == "vn") {
+            file_.normals.push_back(read_normal());
+        } else if (keyword == "f") {
+            read_face();
+        } else if (keyword == "s") {
+            group_ = read_group();
+        } else if (keyword == "mtllib") {
+            ++libraries_;
+        } else if (const auto kind = std::ranges::find(undrawn, keyword, &Undrawn::keyword); kind != undrawn.end()) {
+            ++undrawn_counts_[static_cast<std::size_t>(kind - undrawn.begin())];
+        }
     }
 
-    /// The next line, without its comment.
-    bool next_line() {
-        if (text_.empty()) {
-            return false;
-        }
-        const std::size_t end = text_.find('\n');
-        line_ = text_.substr(0, end);
-        text_.remove_prefix(end == std::string_view::npos ? text_.size() : end + 1);
-        ++line_number_;
-        line_ = line_.substr(0, line_.find('#'));
-        const std::size_t last = line_.find_last_not_of(" \t\r");
-        if (last != std::string_view::npos && line_[last] == '\\') {
-            refuse("a line continued with \\ is not supported");
-        }
-        return true;
-    }
-
-    std::string_view next_word() {
-        line_.remove_prefix(std::min(line_.find_first_not_of(" \t\r"), line_.size()));
-        const std::string_view word = line_.substr(0, line_.find_first_of(" \t\r"));
-        line_.remove_prefix(word.size());
-        return word;
-    }
-
-    double number(std::string_view word, double limit) const {
-        double value = 0;
-        const std::string_view digits = word.starts_with('+') ? word.substr(1) : word;
-        const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-        const bool whole = !digits.empty() && !word.starts_with("+-") && end == digits.data() + digits.size();
-        // A number too small for a double is 0; one too large is refused with NaN and infinity.
-        const std::size_t exponent = std::min(digits.find_first_of("eE"), digits.size());
-        const bool tiny =
-            error == std::errc::result_out_of_range && digits.substr(exponent).find('-') != std::string_view::npos;
-        if (whole && tiny) {
-            return 0;
-        }
-        if (!whole || error != std::errc() || !(std::abs(value) <= limit)) {
-            refuse("expected a number, got \"{:.40}\"", word);
-        }
-        return value;
-    }
-
-    /// `least` to 3 numbers; what follows (w, colours) must be numbers too and is ignored.
-    glm::dvec3 read_vector(int least, double limit) {
+    /// What follows the third (w, a colour) is ignored.
+    glm::dvec3 read_position() {
         glm::dvec3 out(0);
-        int count = 0;
-        for (std::string_view word = next_word(); !word.empty(); word = next_word(), ++count) {
-            const double value = number(word, limit);
-            if (count < 3) {
-                out[count] = value;
-            }
-        }
-        if (count < least) {
-            refuse("expected {} numbers, got {}", least, count);
+        for (int i = 0; i < 3; ++i) {
+            out[i] = text_.number(needed_word(3, i), 1e9);
         }
         return out;
     }
 
-    /// A 1-based or, if negative, backward-counting index.
-    std::uint32_t index(std::string_view word, std::size_t count, const char *kind) const {
+    glm::dvec2 read_uv() {
+        glm::dvec2 out(text_.number(needed_word(1, 0), 1e9), 0);
+        if (const std::string_view word = text_.next_word(); !word.empty()) {
+            out.y = text_.number(word, 1e9);
+        }
+        return out;
+    }
+
+    /// All NaN where a part is not finite, in whatever words a C library prints that: nan, -nan(ind), 1.#QNAN, inf.
+    glm::dvec3 read_normal() {
+        glm::dvec3 out(0);
+        bool finite = true;
+        for (int i = 0; i < 3; ++i) {
+            const std::string_view word = needed_word(3, i);
+            const std::size_t sign = word.starts_with('-') || word.starts_with('+') ? 1 : 0;
+            const std::string_view letters = word.substr(sign, 3);
+            const bool named = std::ranges::any_of(std::array{"nan", "NaN", "NAN", "inf", "Inf", "INF", "1.#"},
+                                                   [&](const char *start) { return letters == start; });
+            finite = finite && !named;
+            out[i] = named ? 0 : text_.number(word, 1e300);
+        }
+        return finite ? out : glm::dvec3(std::numeric_limits<double>::quiet_NaN());
+    }
+
+    std::string_view needed_word(int needed, int got) {
+        const std::string_view word = text_.next_word();
+        if (word.empty()) {
+            text_.refuse("expected {} number{}, got {}", needed, needed == 1 ? "" : "s", got);
+        }
+        return word;
+    }
+
+    SmoothingGroup read_group() {
+        const std::string_view word = text_.next_word();
+        if (word.empty() || word == "off" || word.find_first_not_of('0') == std::string_view::npos) {
+            return unsmoothed;
+        }
+        const auto found = groups_.find(word);
+        return found != groups_.end()
+                   ? found->second
+                   : groups_.emplace(word, static_cast<SmoothingGroup>(groups_.size()) + ungrouped + 1).first->second;
+    }
+
+    /// A 1-based index, which may name what is still to come, or a negative one, which counts backward from here.
+    /// `bad_allowed`: one that names nothing is ObjCorner::bad_index.
+    std::uint32_t index(std::string_view word, std::size_t count, const char *kind, bool bad_allowed = false) const {
         long long value = 0;
         const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
         if (word.empty() || error != std::errc() || end != word.data() + word.size()) {
-            refuse("expected an index, got \"{:.40}\"", word);
+            text_.refuse("expected an index, got \"{:.40}\"", word);
         }
-        const auto size = static_cast<long long>(count);
-        const long long at = value > 0 ? value - 1 : size + value;
-        if (value == 0 || at < 0 || at >= size) {
-            refuse("index {} is out of range; there are {} {} so far", value, count, kind);
+        const long long at = value > 0 ? value - 1 : static_cast<long long>(count) + value;
+        if (bad_allowed && (value == 0 || (value < 0 && count == 0))) {
+            return ObjCorner::bad_index;
+        }
+        if (value == 0 || at < 0 || at > ObjCorner::most) {
+            text_.refuse("index {} is out of range; there are {} {} so far", value, count, kind);
         }
         return static_cast<std::uint32_t>(at);
     }
 
-    /// v, v/vt, v//vn or v/vt/vn.
-    Corner read_corner(std::string_view word) const {
+    /// v, v/vt, v//vn or v/vt/vn; nothing behind a slash is no index.
+    ObjCorner read_corner(std::string_view word) const {
         std::array<std::string_view, 3> parts;
         std::size_t count = 0;
         for (std::string_view rest = word;; ++count) {
             if (count == 3) {
-                refuse("expected v/vt/vn, got \"{:.40}\"", word);
+                text_.refuse("expected v/vt/vn, got \"{:.40}\"", word);
             }
             const std::size_t slash = rest.find('/');
             parts[count] = rest.substr(0, slash);
@@ -161,132 +164,99 @@ class ObjReader {
             }
             rest.remove_prefix(slash + 1);
         }
-        Corner corner{index(parts[0], positions_.size(), "v"), none, none};
-        if (!parts[1].empty() || count == 1) {
-            corner[1] = index(parts[1], uvs_.size(), "vt");
+        ObjCorner corner;
+        corner.v = index(parts[0], file_.positions.size(), "v");
+        if (!parts[1].empty()) {
+            corner.vt = index(parts[1], file_.uvs.size(), "vt");
         }
-        if (count == 2) {
-            corner[2] = index(parts[2], normals_.size(), "vn");
+        if (!parts[2].empty()) {
+            corner.vn = index(parts[2], file_.normals.size(), "vn", true);
         }
         return corner;
     }
 
     void read_face() {
-        std::vector<Corner> face;
-        for (std::string_view word = next_word(); !word.empty(); word = next_word()) {
-            face.push_back(read_corner(word));
+        ObjFace face{file_.corners.size(), 0, group_, text_.line_number()};
+        for (std::string_view word = text_.next_word(); !word.empty(); word = text_.next_word()) {
+            file_.corners.push_back(read_corner(word));
+            ++face.corner_count;
         }
-        if (face.size() < 3) {
-            refuse("expected a face of at least 3 corners, got {}", face.size());
+        if (face.corner_count < 3) {
+            text_.refuse("expected a face of at least 3 corners, got {}", face.corner_count);
         }
-        for (std::size_t i = 2; i < face.size(); ++i) {
-            add_triangle(face[0], face[i - 1], face[i]);
-        }
+        file_.faces.push_back(face);
     }
 
-    /// Twice the area times the normal.
-    [[nodiscard]] glm::dvec3 area_vector(const Corner &a, const Corner &b, const Corner &c) const {
-        const glm::dvec3 ab = positions_[b[0]] - positions_[a[0]];
-        const glm::dvec3 ac = positions_[c[0]] - positions_[a[0]];
-        return glm::cross(ab, ac);
-    }
-
-    void add_triangle(const Corner &a, const Corner &b, const Corner &c) {
-        if (area_vector(a, b, c) == glm::dvec3(0)) {
-            flat_.push_back({a[0], b[0], c[0]});
-            return;
-        }
-        const glm::uvec3 triangle{vertex(a), vertex(b), vertex(c)}; // braces: from left to right
-        mesh_.triangles.push_back(triangle);
-    }
-
-    std::uint32_t vertex(const Corner &corner) {
-        const auto [found, added] = vertices_.try_emplace(corner, static_cast<std::uint32_t>(corners_.size()));
-        if (added) {
-            corners_.push_back(corner);
-        }
-        return found->second;
-    }
-
-    void finish() {
-        const std::vector<glm::dvec3> smooth = smooth_normals();
-        const bool has_uvs = std::ranges::any_of(corners_, [](const Corner &c) { return c[1] != none; });
-        for (const Corner &corner : corners_) {
-            mesh_.positions.push_back(positions_[corner[0]]);
-            glm::dvec3 normal = corner[2] != none ? normals_[corner[2]] : glm::dvec3(0);
-            if (normal == glm::dvec3(0)) { // none given, or (0, 0, 0)
-                normal = smooth[corner[0]];
-            }
-            mesh_.normals.push_back(normal);
-            if (has_uvs) {
-                mesh_.uvs.push_back(corner[1] != none ? uvs_[corner[1]] : glm::dvec2(0));
-            }
-        }
-        keep_file_normals();
-    }
-
-    /// Where a reader without guards has other normals: too short or too long to be made unit in float32, or not
-    /// finite.
-    void keep_file_normals() {
-        const auto extreme = [](const glm::dvec3 &n) { return !(largest_part(n) > 1e-18 && largest_part(n) < 1e18); };
-        if (flat_.empty() && std::ranges::none_of(file_normals_, extreme)) {
-            return;
-        }
-        std::vector<glm::vec3> computed(positions_.size(), glm::vec3(0));
-        const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-            const glm::vec3 p(positions_[a]);
-            const glm::vec3 face =
-                glm::normalize(glm::cross(glm::vec3(positions_[b]) - p, glm::vec3(positions_[c]) - p));
-            for (const std::uint32_t corner : {a, b, c}) {
-                computed[corner] += face;
-            }
-        };
-        for (const glm::uvec3 &t : mesh_.triangles) {
-            add(corners_[t.x][0], corners_[t.y][0], corners_[t.z][0]);
-        }
-        for (const auto &t : flat_) {
-            add(t[0], t[1], t[2]);
-        }
-        for (const Corner &corner : corners_) {
-            mesh_.file_normals.push_back(corner[2] != none ? glm::vec3(file_normals_[corner[2]]) : computed[corner[0]]);
-        }
-    }
-
-    /// Of each position: the sum of its triangles' area vectors, made unit. Where they cancel (two faces back to back),
-    /// the first triangle's normal, so that no normal is zero.
-    [[nodiscard]] std::vector<glm::dvec3> smooth_normals() const {
-        std::vector<glm::dvec3> sums(positions_.size(), glm::dvec3(0));
-        std::vector<glm::dvec3> firsts = sums;
-        std::vector<double> totals(positions_.size(), 0);
-        for (const glm::uvec3 &triangle : mesh_.triangles) {
-            const std::array<Corner, 3> corners{corners_[triangle.x], corners_[triangle.y], corners_[triangle.z]};
-            const glm::dvec3 area = area_vector(corners[0], corners[1], corners[2]);
-            for (const Corner &corner : corners) {
-                sums[corner[0]] += area;
-                totals[corner[0]] += largest_part(area);
-                if (firsts[corner[0]] == glm::dvec3(0)) {
-                    firsts[corner[0]] = area;
+    void check_indices() const {
+        for (const ObjFace &face : file_.faces) {
+            const auto check = [&](std::uint32_t index, std::size_t count, const char *kind) {
+                if (index >= count && index <= ObjCorner::most) {
+                    text_.refuse_line(face.line, fmt::format("index {} is out of range; there are {} {}",
+                                                             std::uint64_t{index} + 1, count, kind));
+                }
+            };
+            for (const ObjCorner &corner : file_.corners_of(face)) {
+                check(corner.v, file_.positions.size(), "v");
+                check(corner.vt, file_.uvs.size(), "vt");
+                if (!file_.normals.empty()) {
+                    check(corner.vn, file_.normals.size(), "vn");
                 }
             }
         }
-        for (std::size_t i = 0; i < sums.size(); ++i) {
-            // 1e-12: below this share of what was added, a sum is rounding error.
-            const bool cancelled = largest_part(sums[i]) <= 1e-12 * totals[i];
-            sums[i] = unit(cancelled ? firsts[i] : sums[i]);
+    }
+
+    [[nodiscard]] Mesh mesh_of_faces_here() const {
+        try {
+            return mesh_of_faces(file_);
+        } catch (const InputError &error) {
+            throw InputError("{}:{}", name_, error.what());
         }
-        return sums;
+    }
+
+    /// "2 lines, 1 point"; empty: none.
+    [[nodiscard]] std::string undrawn_text() const {
+        std::string out;
+        for (std::size_t i = 0; i < undrawn.size(); ++i) {
+            if (const std::size_t count = undrawn_counts_[i]; count > 0) {
+                out += fmt::format("{}{} {}", out.empty() ? "" : ", ", count,
+                                   count == 1 ? undrawn[i].one : undrawn[i].many);
+            }
+        }
+        return out;
+    }
+
+    void add_notes(std::vector<std::string> &notes) const {
+        if (const std::string elements = undrawn_text(); !elements.empty()) {
+            notes.push_back(fmt::format("only faces are drawn; left out: {}", elements));
+        }
+        if (libraries_ > 0) {
+            notes.emplace_back("mtllib is ignored; materials come from the scene");
+        }
+        const auto useless = std::ranges::count_if(file_.corners, [&](const ObjCorner &corner) {
+            return corner.vn != ObjCorner::no_index && !file_.has_normal(corner);
+        });
+        if (useless > 0) {
+            notes.push_back(fmt::format("{} corner{} a normal that is of no use ({}); it is computed instead", useless,
+                                        useless == 1 ? " names" : "s name",
+                                        file_.normals.empty() ? "the file has no vn" : "0, not finite, or index 0"));
+        }
     }
 };
 
 } // namespace
 
-Mesh read_obj(std::string_view text, std::string_view name) {
-    Mesh mesh = ObjReader(text, name).read();
+Mesh read_obj(std::string_view text, std::string_view name, std::vector<std::string> &notes) {
+    Mesh mesh = ObjReader(text, name).read(notes);
     summarise(mesh);
-    if (const std::string note = winding_note(mesh); !note.empty()) {
-        fmt::print(stderr, "note: {}: {}\n", name, note);
+    if (std::string note = winding_note(mesh); !note.empty()) {
+        notes.push_back(std::move(note));
     }
     return mesh;
+}
+
+Mesh read_obj(std::string_view text, std::string_view name) {
+    std::vector<std::string> unsaid;
+    return read_obj(text, name, unsaid);
 }
 
 } // namespace sandbox

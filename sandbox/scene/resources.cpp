@@ -8,6 +8,7 @@
 #include "scene/scene_format.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <fmt/format.h>
 #include <utility>
 
@@ -36,16 +37,22 @@ std::string read_named(const Assets &assets, const std::string &name, const Kind
     for (std::string &path : known) {
         path.erase(0, kind.folder.size());
     }
-    throw InputError("{}: no such {}; looked for it beside the scene file and among the built-in ones ({})", name,
-                     kind.name, fmt::join(known, ", "));
+    throw InputError("{}: no such {}; looked for it beside the scene file (for --set: in the current folder) and among "
+                     "the built-in ones ({})",
+                     name, kind.name, fmt::join(known, ", "));
 }
 
+/// Of an OBJ, its notes go to stderr.
 std::shared_ptr<const Mesh> load_mesh(const Assets &assets, const MeshKey &key) {
     const auto *obj = std::get_if<ObjShape>(&key.first);
-    return with_repeated_uvs(
-        std::make_shared<const Mesh>(obj != nullptr ? read_obj(read_named(assets, obj->path, model_files), obj->path)
-                                                    : build_mesh(key.first)),
-        key.second);
+    std::vector<std::string> notes;
+    const auto mesh = std::make_shared<const Mesh>(
+        obj != nullptr ? read_obj(read_named(assets, obj->path, model_files), obj->path, notes)
+                       : build_mesh(key.first));
+    for (const std::string &note : notes) {
+        fmt::print(stderr, "note: {}: {}\n", obj->path, note);
+    }
+    return with_repeated_uvs(mesh, key.second);
 }
 
 MeshKey mesh_key(const Object &object) {

@@ -2,7 +2,7 @@
 
 #include "image/error.h"
 #include "image/file_io.h"
-#include "scene/obj_reader.h"
+#include "scene/model_scene.h"
 #include "scene/scene_read.h"
 #include "scene/scene_write.h"
 #include "scene/suggest.h"
@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
-#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
 
 namespace sandbox {
@@ -34,47 +33,16 @@ constexpr std::array<std::string_view, 14> teaching_order{"studio",
 
 std::string scene_path(std::string_view name) { return fmt::format("scenes/{}.json", name); }
 
-/// An OBJ file under two lights from the viewer's side, framed by the camera.
-Scene scene_of_model(const fs::path &path) {
-    const Mesh mesh = read_obj(read_file(path), path.string());
-    const glm::dvec3 centre = (mesh.bounds.low + mesh.bounds.high) / 2.0;
-    const double radius = glm::length(mesh.bounds.high - mesh.bounds.low) / 2;
-    Scene scene;
-    scene.name = path.stem().string();
-    scene.camera.target = centre;
-    scene.camera.position = centre + radius * glm::dvec3(0.9, 0.8, 2.6);
-    scene.camera.near_plane = radius * 0.05;
-    scene.camera.far_plane = radius * 50;
-    scene.background = glm::dvec3(0.02, 0.02, 0.03);
-    Light key;
-    key.type = LightType::directional;
-    key.direction = {-1, -1.5, -1};
-    key.ambient = 0.1;
-    key.diffuse = 0.7;
-    key.specular = 0.4;
-    Light fill = key;
-    fill.direction = {1, -0.2, -0.6};
-    fill.ambient = 0;
-    fill.diffuse = 0.25;
-    fill.specular = 0;
-    scene.lights = {key, fill};
-    Object object;
-    object.name = scene.name;
-    object.mesh = ObjShape{fs::absolute(path).lexically_normal().string()};
-    scene.objects = {object};
-    return scene;
-}
-
 Scene open_scene_file(const fs::path &path) {
-    std::error_code ignored;
-    if (!fs::exists(path, ignored)) {
+    if (is_model(path)) {
+        return scene_of_model(path, unknown_aspect);
+    }
+    std::error_code failed;
+    if (fs::status(path, failed).type() == fs::file_type::not_found) { // one that may not be looked at is not missing
         throw InputError("{}: no such file", path.string());
     }
     std::string extension = path.extension().string();
     std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return static_cast<char>(tolower(c)); });
-    if (extension == ".obj") {
-        return scene_of_model(path);
-    }
     if (extension != ".json") {
         throw InputError("{}: expected a .json or .obj file", path.string());
     }

@@ -140,7 +140,9 @@ std::string resolve_path(const std::string &path, const std::filesystem::path &f
     }
     std::error_code ignored;
     const bool bare = !given.has_parent_path();
-    if (bare && (folder.empty() || !fs::exists(folder / given, ignored))) {
+    // A file in a folder that may not be searched counts as there: whoever reads it says so.
+    const auto missing = [&] { return fs::status(folder / given, ignored).type() == fs::file_type::not_found; };
+    if (bare && (folder.empty() || missing())) {
         return path;
     }
     return fs::absolute(folder / given).lexically_normal().string();

@@ -69,13 +69,15 @@ TEST(Resources, AFailedLoadChangesNothing) {
 
 TEST(Resources, NameWhatIsMissingAndWhatThereIs) {
     Resources resources(Assets("assets"));
-    EXPECT_EQ(error_of([&] { resources.load(scene_of({object(BoxShape{}, "woood.png")})); }),
-              "objects[0].material.texture: woood.png: no such texture; looked for it beside the scene file and among "
-              "the built-in ones (bricks.png, "
-              "checker.png, marble.png, tiles.png, wood.png)");
+    EXPECT_EQ(
+        error_of([&] { resources.load(scene_of({object(BoxShape{}, "woood.png")})); }),
+        "objects[0].material.texture: woood.png: no such texture; looked for it beside the scene file (for --set: in "
+        "the current folder) and among the built-in ones (bricks.png, "
+        "checker.png, marble.png, tiles.png, wood.png)");
     EXPECT_EQ(error_of([&] { resources.load(scene_of({object(ObjShape{"vaze.obj"})})); }),
-              "objects[0].mesh.obj: vaze.obj: no such model; looked for it beside the scene file and among the "
-              "built-in ones (vase.obj)"); // the stability cases' broken models are none of them
+              "objects[0].mesh.obj: vaze.obj: no such model; looked for it beside the scene file (for --set: in "
+              "the current folder) and among the built-in ones (vase.obj)"); // the stability cases' broken models are
+                                                                             // none of them
     EXPECT_EQ(error_of([&] { resources.load(scene_of({object(ObjShape{"/no/such.obj"})})); }),
               "objects[0].mesh.obj: /no/such.obj: cannot read the file (No such file or directory)");
 }

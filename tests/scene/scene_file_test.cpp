@@ -150,6 +150,11 @@ TEST(ScenePaths, BecomeAbsoluteUnlessBuiltIn) {
     EXPECT_EQ(texture(""), "");
     const Scene model = parse_scene(R"({"objects": [{"mesh": {"obj": "models/a.obj"}}]})", "a.json", folder.path);
     EXPECT_EQ(model.objects[0].mesh, Shape(ObjShape{(folder.path / "models/a.obj").string()}));
+    const std::string unreadable = std::string(300, 'a') + ".obj"; // taken for one that is there
+    EXPECT_EQ(parse_scene(R"({"objects": [{"mesh": {"obj": ")" + unreadable + R"("}}]})", "a.json", folder.path)
+                  .objects[0]
+                  .mesh,
+              Shape(ObjShape{(folder.path / unreadable).string()}));
 }
 
 TEST(OpenScene, ReadsFilesSidecarsAndModels) {
@@ -175,6 +180,10 @@ TEST(OpenScene, SaysWhatIsWrong) {
               "three-point-light: no built-in scene of that name; did you mean \"three-point-lights\"?");
     EXPECT_TRUE(error("x").starts_with("x: no built-in scene of that name; expected one of studio, "));
     EXPECT_EQ(error("no/such.json"), "no/such.json: no such file");
+    EXPECT_EQ(error("no/such.obj"), "no/such.obj: no such file");
+    // As one that may not be looked at: the system's own reason, not that there is none.
+    const std::string unreadable = std::string(300, 'a') + ".json";
+    EXPECT_EQ(error(unreadable), unreadable + ": cannot read the file (File name too long)");
     const std::string picture = (folder.path / "a.png").string();
     write_file(picture, "x");
     EXPECT_EQ(error(picture), picture + ": expected a .json or .obj file");

@@ -150,7 +150,9 @@ def png(pixel, side, sigma):
 
 
 def vase():
-    """A turned vase with a wall that has a thickness: a closed mesh of quads, without normals.
+    """A turned vase with a wall that has a thickness: a closed mesh of triangles, without normals.
+
+    Its quads are split here: computed normals weigh whole faces, and scenes and figures show it by those of triangles.
 
     Rings at a sharp edge (foot, lip) stand twice in the profile: computed normals are not smoothed across it.
     """
@@ -189,7 +191,7 @@ def vase():
                 corners.pop(3)
             elif profile[i + 1][0] == 0:
                 corners.pop(2)
-            lines.append("f " + " ".join(corners))
+            lines += [f"f {corners[0]} {corners[k]} {corners[k + 1]}" for k in range(1, len(corners) - 1)]
     return "\n".join(lines) + "\n"
 
 
