@@ -3,6 +3,7 @@
 #include "image/error.h"
 #include "image/file_io.h"
 #include "scene/obj_reader.h"
+#include "scene/read_json.h"
 #include "scene/scene_read.h"
 #include "scene/scene_write.h"
 #include "scene/suggest.h"
@@ -60,7 +61,7 @@ Scene scene_of_model(const fs::path &path) {
     scene.lights = {key, fill};
     Object object;
     object.name = scene.name;
-    object.mesh = ObjShape{fs::absolute(path).lexically_normal().string()};
+    object.mesh = ObjShape{checked_path(fs::absolute(path).lexically_normal())};
     scene.objects = {object};
     return scene;
 }
@@ -78,13 +79,13 @@ Scene open_scene_file(const fs::path &path) {
     if (extension != ".json") {
         throw InputError("{}: expected a .json or .obj file", path.string());
     }
-    return parse_scene(read_file(path), path.string(), fs::absolute(path).parent_path());
+    return parse_scene(read_file(path, largest_json), path.string(), fs::absolute(path).parent_path());
 }
 
 } // namespace
 
 Scene parse_scene(std::string_view text, std::string_view name, const fs::path &folder) {
-    const Json json = parse_json(text, name);
+    const Json json = read_json<Json>(text, name);
     const bool sidecar = json.is_object() && json.contains("scene") && json["scene"].is_object();
     return read_scene(sidecar ? json["scene"] : json, name, folder);
 }

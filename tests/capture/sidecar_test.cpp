@@ -1,5 +1,6 @@
 #include "capture/sidecar.h"
 
+#include "capture/picture_ranges.h"
 #include "image/error.h"
 #include "scene/scene_file.h"
 
@@ -87,6 +88,12 @@ TEST(Sidecar, AWrongValueIsRefusedByItsKey) {
                                                              {"techniques", {"flat"}},
                                                              {"size", "640x480"},
                                                              {"size", {1}},
+                                                             {"size", {1e300, 5}},
+                                                             {"size", {-5, 5}},
+                                                             {"size", {99999, 99999}},
+                                                             {"exposure", -1},
+                                                             {"exposure", 1e9},
+                                                             {"gain", 0},
                                                              {"display", "gamma"},
                                                              {"exposure", "bright"},
                                                              {"divider", 1.5},
@@ -104,6 +111,16 @@ TEST(Sidecar, AWrongValueIsRefusedByItsKey) {
             ADD_FAILURE() << key << " = " << value;
         } catch (const InputError &error) {
             EXPECT_EQ(std::string(error.what()).rfind("a.png.json: " + key, 0), 0U) << error.what();
+        }
+    }
+}
+
+TEST(Sidecar, HoldsTheEndsOfWhatTheWindowOffers) {
+    PictureOptions options;
+    for (const Range &range : {exposure_range, gain_range}) {
+        for (const double end : {range.low, range.high}) {
+            (range.low == 0 ? options.exposure : options.gain) = end;
+            EXPECT_EQ(sidecar_options(sidecar_text(ball(), options, {}), "a.json"), options) << end;
         }
     }
 }
