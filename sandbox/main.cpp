@@ -1,5 +1,6 @@
 #include "commands/commands.h"
 #include "commands/interrupt.h"
+#include "image/plain_text.h"
 #include "render/gl_program.h"
 #include "scene/scene_file.h"
 #include "scene/suggest.h"
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <new>
+#include <span>
 #include <sstream>
 
 namespace {
@@ -52,7 +54,17 @@ int end_of_parsing(const CLI::App &app, const CommonOptions &common, const CLI::
     return bad_usage;
 }
 
+/// Paths go into files that are UTF-8: one that is none is refused before any work, not when the work is written.
+void check_words(std::span<char *const> words) {
+    for (const std::string_view word : words) {
+        if (!is_utf8(word)) {
+            throw InputError("'{}': expected UTF-8 text; rename the file or folder", plain_text(word));
+        }
+    }
+}
+
 int parse_and_run(int argc, char **argv) {
+    check_words(std::span(argv, static_cast<std::size_t>(argc)).subspan(argc > 0 ? 1 : 0)); // without its own name
     CLI::App app("Draws one scene with several shading techniques, compares the pictures and measures them.",
                  "shading-sandbox");
     app.set_version_flag("--version", "shading-sandbox " SANDBOX_VERSION, "Print the version and exit");

@@ -1,8 +1,10 @@
 #include "capture/frame_names.h"
 
 #include "capture/sidecar.h"
+#include "capture/sidecar_json.h"
 #include "image/error.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -60,8 +62,8 @@ std::string turntable_text(std::string_view first_frame, const Turntable &turnta
 }
 
 std::optional<Turntable> turntable_of(std::string_view text, std::string_view name) {
-    const auto json = nlohmann::json::parse(text, nullptr, false);
-    if (!json.is_object() || !json.contains("scene") || (!json.contains("frames") && !json.contains("orbit_degrees"))) {
+    const auto json = sidecar_json(text, name);
+    if (!json.contains("frames") && !json.contains("orbit_degrees")) {
         return std::nullopt;
     }
     const auto frames = json.find("frames"), degrees = json.find("orbit_degrees");
@@ -69,7 +71,8 @@ std::optional<Turntable> turntable_of(std::string_view text, std::string_view na
         throw InputError("{}: expected both frames, a whole number, and orbit_degrees, a number", name);
     }
     try {
-        return Turntable{checked_frames(frames->get<int>()), degrees->get<double>()};
+        return Turntable{checked_frames(static_cast<int>(std::clamp(frames->get<double>(), -1.0, 1e9))),
+                         degrees->get<double>()};
     } catch (const InputError &error) {
         throw InputError("{}: frames: {}", name, error.what());
     }
@@ -82,8 +85,8 @@ std::string motion_sidecar(std::string_view sidecar, const Motion &motion) {
 }
 
 std::optional<Motion> motion_of(std::string_view text, std::string_view name) {
-    const auto json = nlohmann::json::parse(text, nullptr, false);
-    if (!json.is_object() || !json.contains("scene") || !json.contains("motion")) {
+    const auto json = sidecar_json(text, name);
+    if (!json.contains("motion")) {
         return std::nullopt;
     }
     return parse_motion(json.at("motion").dump(), name);

@@ -2,6 +2,7 @@
 
 #include "capture/labels.h"
 #include "capture/sidecar.h"
+#include "capture/sidecar_json.h"
 #include "capture/technique_json.h"
 #include "image/cut_paste.h"
 #include "image/error.h"
@@ -78,8 +79,8 @@ std::string grid_text(std::string_view cell, const Grid &grid) {
 }
 
 std::optional<Grid> grid_of(std::string_view text, std::string_view name) {
-    const auto json = nlohmann::ordered_json::parse(text, nullptr, false);
-    if (!json.is_object() || !json.contains("scene") || !json.contains("sweep")) {
+    const auto json = sidecar_json(text, name);
+    if (!json.contains("sweep")) {
         return std::nullopt;
     }
     try {

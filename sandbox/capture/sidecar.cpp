@@ -1,10 +1,16 @@
 #include "capture/sidecar.h"
 
+#include "capture/picture_ranges.h"
 #include "capture/samples.h"
+#include "capture/sidecar_json.h"
 #include "capture/technique_json.h"
 #include "image/error.h"
+#include "image/picture_size.h"
+#include "scene/read_json.h"
 #include "scene/scene_file.h"
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -23,7 +29,7 @@ template <typename Read> void read_key(const ordered_json &from, const char *key
     } catch (const InputError &error) {
         throw InputError("{}: {}: {}", name, key, error.what());
     } catch (const ordered_json::exception &) {
-        throw InputError("{}: {}: unexpected value {}", name, key, from.at(key).dump());
+        throw InputError("{}: {}: unexpected value {}", name, key, short_json(from.at(key)));
     }
 }
 
@@ -32,6 +38,16 @@ double read_share(double value) {
         throw InputError("expected a number from 0 to 1");
     }
     return value;
+}
+
+Size read_size(const ordered_json &value) {
+    const auto side = [&](std::size_t i) { // beyond what check_size() accepts, whatever an int would make of it
+        const auto number = value.at(i).get<double>();
+        return number == std::trunc(number) ? static_cast<int>(std::clamp(number, -1.0, 1e9)) : -1;
+    };
+    const Size size{side(0), side(1)};
+    check_size(size);
+    return size;
 }
 
 FlipSide parse_flip(std::string_view text) {
@@ -133,8 +149,8 @@ std::string with_keys(std::string_view sidecar, std::string_view more) {
 }
 
 std::optional<PictureOptions> sidecar_options(std::string_view text, std::string_view name) {
-    const ordered_json from = ordered_json::parse(text, nullptr, false);
-    if (!from.is_object() || !from.contains("scene") || !from.contains("techniques")) {
+    const ordered_json from = sidecar_json(text, name);
+    if (!from.contains("techniques")) {
         return std::nullopt;
     }
     PictureOptions options;
@@ -144,7 +160,7 @@ std::optional<PictureOptions> sidecar_options(std::string_view text, std::string
     };
     read("layout", [&](const ordered_json &v) { options.layout = parse_layout(v.get<std::string>()); });
     read("techniques", [&](const ordered_json &v) { read_techniques(v, options); });
-    read("size", [&](const ordered_json &v) { options.size = {v.at(0).get<int>(), v.at(1).get<int>()}; });
+    read("size", [&](const ordered_json &v) { options.size = read_size(v); });
     read("display", [&](const ordered_json &v) { options.display = parse_display(v.get<std::string>()); });
     read("divider", [&](const ordered_json &v) { options.divider = read_share(v.get<double>()); });
     read("flip", [&](const ordered_json &v) { options.flip = parse_flip(v.get<std::string>()); });
@@ -169,8 +185,9 @@ std::optional<PictureOptions> sidecar_options(std::string_view text, std::string
     }
     read_value("masks", options.masks);
     read_value("textbook_left", options.textbook_left);
-    read_value("exposure", options.exposure);
-    read_value("gain", options.gain);
+    read("exposure",
+         [&](const ordered_json &v) { options.exposure = checked_number(v.get<double>(), exposure_range); });
+    read("gain", [&](const ordered_json &v) { options.gain = checked_number(v.get<double>(), gain_range); });
     read_value("labels", options.labels);
     read("language", [&](const ordered_json &v) { options.language = checked_language(v.get<std::string>()); });
     read_value("view", options.view);

@@ -2,8 +2,8 @@
 
 #include "image/error.h"
 #include "image/image_file.h"
+#include "image/plain_text.h"
 #include "shading/own_text.h"
-#include "teach/marking/answer_names.h"
 #include "teach/marking/marker.h"
 
 #include <algorithm>

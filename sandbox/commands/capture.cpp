@@ -2,6 +2,7 @@
 
 #include "capture/frame_names.h"
 #include "capture/grid.h"
+#include "capture/picture_ranges.h"
 #include "capture/samples.h"
 #include "capture/sidecar.h"
 #include "commands/interrupt.h"
@@ -10,6 +11,7 @@
 #include "commands/session.h"
 #include "image/image_file.h"
 #include "scene/orbit.h"
+#include "scene/read_json.h"
 #include "scene/scene_setting.h"
 #include "ui/views/painters.h"
 
@@ -160,8 +162,8 @@ PictureOptions picture_options(const CaptureFlags &flags) {
     options.language = flags.language.empty() ? options.language : flags.language;
     note_missing_font(options.language, "labels");
     options.view = flags.view.empty() ? options.view : flags.view;
-    check_positive("--gain", options.gain);
-    check_positive("--exposure", options.exposure);
+    with_flag("--gain", [&] { checked_number(options.gain, gain_range); });
+    with_flag("--exposure", [&] { checked_number(options.exposure, exposure_range); });
     view_sizes(options.layout, options.size); // refuses a view without a pixel
     return options;
 }
@@ -192,8 +194,9 @@ void refuse_display_flags(const CaptureFlags &flags) {
 /// The flags', or the turntable that SCENE is the sidecar of, if --out asks for many files.
 std::optional<Turntable> turntable(const CaptureFlags &flags) {
     const bool many = is_frame_pattern(flags.out.filename().string());
-    const auto recorded = many && sidecar_of(flags.scene) ? turntable_of(read_file(flags.scene), flags.scene)
-                                                          : std::optional<Turntable>{};
+    const auto recorded = many && sidecar_of(flags.scene)
+                              ? turntable_of(read_file(flags.scene, largest_json), flags.scene)
+                              : std::optional<Turntable>{};
     if (!recorded && flags.frames.has_value() != flags.orbit.has_value()) {
         throw InputError("--frames N and --orbit DEGREES go together");
     }
@@ -221,7 +224,7 @@ std::optional<Motion> recorded_motion(const CaptureFlags &flags) {
         return std::nullopt;
     }
     with_flag("--out", [&] { return frame_name(flags.out.string(), 0); });
-    return motion_of(read_file(flags.scene), flags.scene);
+    return motion_of(read_file(flags.scene, largest_json), flags.scene);
 }
 
 /// What a grid is not made of, or cannot be.
@@ -247,7 +250,10 @@ std::optional<Grid> asked_grid(const CaptureFlags &flags, const PictureOptions &
         return Grid{flags.techniques.empty() ? std::vector{options.left} : flags.techniques, *flags.sweep};
     }
     const bool other = pfm || !flags.techniques.empty() || flags.left || flags.right || flags.layout || flags.frames;
-    return !other && sidecar_of(flags.scene) ? grid_of(read_file(flags.scene), flags.scene) : std::nullopt;
+    std::error_code ignored;
+    const std::filesystem::path path(flags.scene);
+    const bool file = path.extension() == ".json" && std::filesystem::is_regular_file(path, ignored);
+    return file && !other ? grid_of(read_file(path, largest_json), flags.scene) : std::nullopt;
 }
 
 CaptureFlags with_techniques(CaptureFlags flags) {

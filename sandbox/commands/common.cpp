@@ -4,8 +4,10 @@
 #include "capture/sidecar.h"
 #include "image/error.h"
 #include "image/image_file.h"
+#include "image/plain_text.h"
 #include "image/system_font.h"
 #include "scene/model_scene.h"
+#include "scene/read_json.h"
 #include "scene/scene_file.h"
 #include "scene/scene_setting.h"
 #include "shading/prepared_object.h"
@@ -15,10 +17,10 @@
 #include <cctype>
 #include <cerrno>
 #include <charconv>
-#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <fmt/format.h>
+#include <unistd.h>
 
 namespace sandbox {
 namespace {
@@ -57,13 +59,7 @@ std::optional<PictureOptions> sidecar_of(const std::string &scene) {
     if (path.extension() != ".json" || !std::filesystem::is_regular_file(path)) {
         return std::nullopt;
     }
-    auto options = sidecar_options(read_file(path), scene);
-    if (options) {
-        with_flag(scene + ": size", [&] { check_size(options->size); });
-        check_positive(scene + ": exposure", options->exposure);
-        check_positive(scene + ": gain", options->gain);
-    }
-    return options;
+    return sidecar_options(read_file(path, largest_json), scene);
 }
 
 std::string quoted(const std::string &word) {
@@ -103,12 +99,6 @@ void refuse_settings(const CommonOptions &common, std::string_view why) {
     }
 }
 
-void check_positive(std::string_view flag, double value) {
-    if (!std::isfinite(value) || value <= 0) {
-        throw InputError("{}: expected a number > 0, got {:g}", flag, value);
-    }
-}
-
 std::string check_output(const std::filesystem::path &out, std::initializer_list<std::string_view> allowed) {
     std::string ending = out.extension().string();
     std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -131,6 +121,10 @@ void make_folder(const std::filesystem::path &out) {
 }
 
 void print(std::string_view text) {
+    const std::string plain = isatty(STDOUT_FILENO) != 0 ? plain_lines(text) : ""; // a file takes it as it is
+    if (!plain.empty()) {
+        text = plain;
+    }
     if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
         throw InputError("cannot write to standard output: {}", std::strerror(errno));
     }
@@ -140,7 +134,7 @@ void note(std::string_view text) {
     while (text.ends_with('\n')) {
         text.remove_suffix(1);
     }
-    fmt::print(stderr, "shading-sandbox: {}\n", text);
+    fmt::print(stderr, "shading-sandbox: {}\n", plain_lines(text));
 }
 
 void note_no_effect(const Scene &scene, const Technique &technique) {

@@ -54,9 +54,6 @@ template <typename Work> auto with_flag(std::string_view flag, Work work) {
     }
 }
 
-/// Throws InputError "flag: expected a number > 0, got ..." for what is not a finite positive number.
-void check_positive(std::string_view flag, double value);
-
 /// The ending of an output file, in lower case: ".png". Throws InputError naming --out unless it is among `allowed` and
 /// the folder exists, so that no work is lost.
 std::string check_output(const std::filesystem::path &out, std::initializer_list<std::string_view> allowed);
@@ -64,9 +61,10 @@ std::string check_output(const std::filesystem::path &out, std::initializer_list
 /// Makes the folder of --out, unless it exists. Throws InputError.
 void make_folder(const std::filesystem::path &out);
 
-/// Writes a result to standard output, flushed. Throws InputError if it cannot be written (a full disk).
+/// Writes a result to standard output, flushed; a terminal gets no control characters but line ends and tabs. Throws
+/// InputError if it cannot be written (a full disk).
 void print(std::string_view text);
-/// Writes a line to standard error: "shading-sandbox: text".
+/// Writes a line to standard error: "shading-sandbox: text", with no control characters but line ends and tabs.
 void note(std::string_view text);
 /// Notes that `what` ("labels") are in English, where `language` needs a font that is not installed.
 void note_missing_font(std::string_view language, std::string_view what);

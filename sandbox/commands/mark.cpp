@@ -4,6 +4,7 @@
 #include "commands/interrupt.h"
 #include "commands/progress_bar.h"
 #include "commands/session.h"
+#include "image/plain_text.h"
 #include "teach/marking/answer_names.h"
 #include "teach/marking/exercise_read.h"
 #include "teach/marking/marks_page.h"

@@ -10,6 +10,7 @@
 #include "measure/report/report_json.h"
 #include "measure/work_precision/findings.h"
 #include "render/frame_clock.h"
+#include "scene/read_json.h"
 
 #include <atomic>
 #include <csignal>
@@ -83,7 +84,7 @@ int run_report(const ReportFlags &flags, const CommonOptions &common) {
     }
     std::vector<ReportRun> runs;
     for (const std::string &file : flags.merge) {
-        for (ReportRun &run : read_report_json(read_file(file), file)) {
+        for (ReportRun &run : read_report_json(read_file(file, largest_json), file)) {
             runs.push_back(std::move(run));
         }
     }

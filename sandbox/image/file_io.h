@@ -1,13 +1,17 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
 
 namespace sandbox {
 
-/// The whole file. Throws InputError naming it.
-std::string read_file(const std::filesystem::path &path);
+constexpr std::size_t largest_file = std::size_t{1} << 30; ///< bytes; this program reads nothing larger
+
+/// The whole of a regular file; a pipe or a device may never end. Throws InputError naming it, before anything is read
+/// if it has more than `most` bytes.
+std::string read_file(const std::filesystem::path &path, std::size_t most = largest_file);
 /// Writes to a temporary name beside `path` and renames: whole or not at all. Throws InputError naming the path.
 void write_file(const std::filesystem::path &path, std::string_view bytes);
 

@@ -40,20 +40,89 @@ void check(int error, std::string_view name) {
     }
 }
 
+/// Whether a chunk stands before the picture's data; no checksum is looked at.
+bool has_chunk(std::string_view bytes, std::string_view type) {
+    for (std::size_t at = png_signature.size(); bytes.size() - at >= 8;) {
+        const std::string_view here = bytes.substr(at + 4, 4);
+        if (here == type) {
+            return true;
+        }
+        std::size_t length = 0;
+        for (std::size_t i = 0; i < 4; ++i) {
+            length = length << 8 | static_cast<unsigned char>(bytes[at + i]);
+        }
+        if (here == "IDAT" || length + 12 > bytes.size() - at) {
+            break;
+        }
+        at += length + 12;
+    }
+    return false;
+}
+
+/// The pixels as 8 bits each of red, green, blue and opacity.
+std::vector<unsigned char> decode_rgba(spng_ctx *decoder, std::string_view name) {
+    std::size_t length = 0;
+    check(spng_decoded_image_size(decoder, SPNG_FMT_RGBA8, &length), name);
+    std::vector<unsigned char> rgba(length);
+    check(spng_decode_image(decoder, rgba.data(), length, SPNG_FMT_RGBA8, SPNG_DECODE_TRNS), name);
+    return rgba;
+}
+
+/// The same of a picture with a palette. Decoded here: libspng takes a colour that was never written for an index
+/// beyond the palette's end.
+std::vector<unsigned char> decode_palette(spng_ctx *decoder, const spng_ihdr &header, std::string_view name) {
+    std::size_t length = 0;
+    check(spng_decoded_image_size(decoder, SPNG_FMT_RAW, &length), name);
+    std::vector<unsigned char> packed(length);
+    check(spng_decode_image(decoder, packed.data(), length, SPNG_FMT_RAW, 0), name);
+    spng_plte palette{};
+    check(spng_get_plte(decoder, &palette), name);
+    spng_trns opacity{};
+    if (spng_get_trns(decoder, &opacity) != SPNG_OK) {
+        opacity.n_type3_entries = 0;
+    }
+    std::vector<unsigned char> rgba;
+    rgba.reserve(std::size_t{header.width} * header.height * 4);
+    const unsigned depth = header.bit_depth;
+    const std::size_t row = length / header.height;
+    for (std::size_t y = 0; y < header.height; ++y) {
+        for (std::size_t x = 0; x < header.width; ++x) {
+            const std::size_t bit = x * depth;
+            const unsigned byte = packed[y * row + bit / 8];
+            const unsigned index = byte >> (8 - depth - bit % 8) & ((1U << depth) - 1);
+            if (index >= palette.n_entries) {
+                throw InputError("{}: pixel ({}, {}) has colour {} of a palette of {}", name, x, y, index,
+                                 palette.n_entries);
+            }
+            const spng_plte_entry &color = palette.entries[index];
+            const unsigned char alpha = index < opacity.n_type3_entries ? opacity.type3_alpha[index] : 255;
+            rgba.insert(rgba.end(), {color.red, color.green, color.blue, alpha});
+        }
+    }
+    return rgba;
+}
+
 } // namespace
 
 Image decode_png(std::string_view bytes, std::string_view name) {
+    if (has_chunk(bytes, "CgBI")) {
+        throw InputError("{}: a PNG in Apple's own form (CgBI), which is no standard one; export it as PNG again",
+                         name);
+    }
     const Coder decoder = make_coder(0);
     check(spng_set_image_limits(decoder.get(), max_image_side, max_image_side), name);
     check(spng_set_chunk_limits(decoder.get(), most_metadata, most_metadata), name);
-    check(spng_set_crc_action(decoder.get(), SPNG_CRC_ERROR, SPNG_CRC_ERROR), name);
+    check(spng_set_crc_action(decoder.get(), SPNG_CRC_ERROR, SPNG_CRC_DISCARD), name);
     check(spng_set_png_buffer(decoder.get(), bytes.data(), bytes.size()), name);
     spng_ihdr header{};
-    std::size_t length = 0;
     check(spng_get_ihdr(decoder.get(), &header), name);
-    check(spng_decoded_image_size(decoder.get(), SPNG_FMT_RGBA8, &length), name);
-    std::vector<unsigned char> rgba(length);
-    check(spng_decode_image(decoder.get(), rgba.data(), length, SPNG_FMT_RGBA8, SPNG_DECODE_TRNS), name);
+    const std::vector<unsigned char> rgba = header.color_type == SPNG_COLOR_TYPE_INDEXED
+                                                ? decode_palette(decoder.get(), header, name)
+                                                : decode_rgba(decoder.get(), name);
+    spng_trns opacity{};
+    if (has_chunk(bytes, "tRNS") && spng_get_trns(decoder.get(), &opacity) != SPNG_OK) {
+        throw InputError("{}: the PNG file's transparency is damaged", name);
+    }
     check(spng_decode_chunks(decoder.get()), name); // what follows the picture may be damaged, too
     // libspng does not miss the checksum (4 bytes, as the type) of the last chunk.
     check(bytes.size() < bytes.rfind("IEND") + 8 ? SPNG_IO_EOF : SPNG_OK, name);

@@ -2,8 +2,10 @@
 
 #include "image/error.h"
 #include "image/file_io.h"
+#include "image/plain_text.h"
 #include "scene/mesh_backs.h"
 #include "scene/obj_reader.h"
+#include "scene/scene_read.h"
 #include "scene/space.h"
 
 #include <algorithm>
@@ -95,10 +97,11 @@ Scene scene_of_model(const fs::path &path, double aspect) {
     scene.lights = {key, fill};
     Object object;
     object.name = scene.name;
-    object.mesh = ObjShape{fs::absolute(path).lexically_normal().string()};
+    object.mesh = ObjShape{checked_path(fs::absolute(path).lexically_normal())};
     if (const std::string why = why_two_sided(mesh); !why.empty()) {
         object.two_sided = true;
-        fmt::print(stderr, "note: {}: {}: both sides of its triangles are lit (two_sided)\n", path.string(), why);
+        fmt::print(stderr, "note: {}: {}: both sides of its triangles are lit (two_sided)\n", plain_text(path.string()),
+                   why);
     }
     scene.objects = {object};
     return scene;

@@ -3,6 +3,7 @@
 #include "image/error.h"
 #include "scene/light_kind.h"
 #include "scene/orbit.h"
+#include "scene/read_json.h"
 #include "scene/scene_setting.h"
 
 #include <algorithm>
@@ -144,7 +145,7 @@ std::string motion_text(const Motion &motion) {
 }
 
 Motion parse_motion(std::string_view json, std::string_view name) {
-    const ordered_json from = ordered_json::parse(json, nullptr, false);
+    const ordered_json from = read_json<ordered_json>(json, name);
     Motion motion;
     const char *key = "mover";
     try {
@@ -152,7 +153,11 @@ Motion parse_motion(std::string_view json, std::string_view name) {
         if (motion.mover == Mover::number) {
             motion.path = from.at(key = "path").get<std::string>();
         } else if (motion.mover != Mover::camera) {
-            motion.index = from.at(key = "index").get<std::size_t>();
+            const ordered_json &index = from.at(key = "index");
+            if (!index.is_number_unsigned()) {
+                throw InputError("expected a whole number >= 0, got {}", short_json(index));
+            }
+            motion.index = index.get<std::size_t>();
         }
         motion.from = from.at(key = "from").get<double>();
         motion.to = from.at(key = "to").get<double>();

@@ -3,6 +3,7 @@
 #include "image/error.h"
 #include "image/file_io.h"
 #include "image/image_file.h"
+#include "image/plain_text.h"
 #include "scene/near_uvs.h"
 #include "scene/obj_reader.h"
 #include "scene/scene_format.h"
@@ -50,7 +51,7 @@ std::shared_ptr<const Mesh> load_mesh(const Assets &assets, const MeshKey &key) 
         obj != nullptr ? read_obj(read_named(assets, obj->path, model_files), obj->path, notes)
                        : build_mesh(key.first));
     for (const std::string &note : notes) {
-        fmt::print(stderr, "note: {}: {}\n", obj->path, note);
+        fmt::print(stderr, "note: {}: {}\n", plain_text(obj->path), plain_text(note));
     }
     return with_repeated_uvs(mesh, key.second);
 }

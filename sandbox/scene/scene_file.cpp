@@ -3,6 +3,7 @@
 #include "image/error.h"
 #include "image/file_io.h"
 #include "scene/model_scene.h"
+#include "scene/read_json.h"
 #include "scene/scene_read.h"
 #include "scene/scene_write.h"
 #include "scene/suggest.h"
@@ -46,13 +47,13 @@ Scene open_scene_file(const fs::path &path) {
     if (extension != ".json") {
         throw InputError("{}: expected a .json or .obj file", path.string());
     }
-    return parse_scene(read_file(path), path.string(), fs::absolute(path).parent_path());
+    return parse_scene(read_file(path, largest_json), path.string(), fs::absolute(path).parent_path());
 }
 
 } // namespace
 
 Scene parse_scene(std::string_view text, std::string_view name, const fs::path &folder) {
-    const Json json = parse_json(text, name);
+    const Json json = read_json<Json>(text, name);
     const bool sidecar = json.is_object() && json.contains("scene") && json["scene"].is_object();
     return read_scene(sidecar ? json["scene"] : json, name, folder);
 }

@@ -1,11 +1,13 @@
 #include "scene/scene_read.h"
 
+#include "image/plain_text.h"
 #include "scene/table_read.h"
 
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <vector>
 
 namespace sandbox {
@@ -114,11 +116,12 @@ class Reader : public TableReader<Reader, Json> {
         obj.path = resolve_path(obj.path, folder_);
     }
     void finish(const Json &, const std::string &path, Scene &scene) const {
-        for (auto view = scene.views.begin(); view != scene.views.end(); ++view) {
-            if (std::find_if(scene.views.begin(), view, [&](const View &v) { return v.name == view->name; }) != view) {
-                const auto i = static_cast<std::size_t>(view - scene.views.begin());
+        std::set<std::string_view> names;
+        for (std::size_t i = 0; i < scene.views.size(); ++i) {
+            const std::string &view = scene.views[i].name;
+            if (!names.insert(view).second) {
                 refuse(below(element(below(path, "views"), i), "name"),
-                       fmt::format("expected a name of its own, got \"{}\" again", view->name));
+                       fmt::format("expected a name of its own, got {} again", short_json(Json(view))));
             }
         }
     }
@@ -130,6 +133,13 @@ Scene read_scene(const Json &json, std::string_view name, const std::filesystem:
     Scene scene;
     Reader(name, folder).read_object(json, "", scene, "$schema"); // which is for editors
     return scene;
+}
+
+std::string checked_path(const std::filesystem::path &path) {
+    if (!is_utf8(path.string())) { // which a sidecar could not say
+        throw InputError("{}: expected a path of UTF-8 text; rename the file or folder", plain_text(path.string()));
+    }
+    return path.string();
 }
 
 std::string resolve_path(const std::string &path, const std::filesystem::path &folder) {
@@ -145,7 +155,7 @@ std::string resolve_path(const std::string &path, const std::filesystem::path &f
     if (bare && (folder.empty() || missing())) {
         return path;
     }
-    return fs::absolute(folder / given).lexically_normal().string();
+    return checked_path(fs::absolute(folder / given).lexically_normal());
 }
 
 } // namespace sandbox

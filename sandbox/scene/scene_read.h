@@ -10,7 +10,11 @@ namespace sandbox {
 /// `folder` by resolve_path(). Throws InputError.
 Scene read_scene(const Json &json, std::string_view name, const std::filesystem::path &folder);
 
-/// The path made absolute; a bare name that is no file in `folder` stays bare, because it may be a built-in one.
+/// The path as text. Throws InputError if it is not UTF-8.
+std::string checked_path(const std::filesystem::path &path);
+
+/// The path made absolute and checked; a bare name that is no file in `folder` stays bare, because it may be a built-in
+/// one.
 std::string resolve_path(const std::string &path, const std::filesystem::path &folder);
 
 } // namespace sandbox

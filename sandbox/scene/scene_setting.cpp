@@ -2,6 +2,7 @@
 
 #include "image/error.h"
 #include "scene/orbit.h"
+#include "scene/read_json.h"
 #include "scene/scene_read.h"
 #include "scene/scene_write.h"
 #include "scene/suggest.h"
@@ -73,7 +74,7 @@ class Setting {
     /// JSON, or a bare word as a string.
     [[nodiscard]] Json parse_value(std::string_view text) const {
         try {
-            return parse_json(text, label_);
+            return read_json<Json>(text, label_);
         } catch (const InputError &) {
             if (text.starts_with('[') || text.starts_with('{') || text.starts_with('"')) {
                 throw;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "image/error.h"
+#include "scene/read_json.h"
 #include "scene/scene_format.h"
 #include "scene/suggest.h"
 
@@ -43,13 +44,7 @@ template <class Derived, class Json> class TableReader {
     explicit TableReader(std::string_view name) : name_(name) {}
     [[nodiscard]] const std::string &name() const { return name_; }
 
-    static std::string got(const Json &json) {
-        std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-        if (text.size() > 60) {
-            text = json.is_array() ? fmt::format("an array of {}", json.size()) : text.substr(0, 57) + "...";
-        }
-        return ", got " + text;
-    }
+    static std::string got(const Json &json) { return ", got " + short_json(json); }
     [[noreturn]] void refuse(const std::string &path, const std::string &what) const {
         throw InputError("{}: {}{}{}", name_, path, path.empty() ? "" : ": ", what);
     }

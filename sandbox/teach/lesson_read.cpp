@@ -1,6 +1,7 @@
 #include "teach/lesson_read.h"
 
 #include "image/file_io.h"
+#include "scene/read_json.h"
 #include "scene/scene_file.h"
 #include "scene/scene_setting.h"
 #include "teach/claims.h"
@@ -135,7 +136,8 @@ class Resolver {
         if (step.scene_json.json.empty() && last == nullptr) {
             throw InputError("{}.scene: missing; expected a scene: there is no step before this one", place);
         }
-        Scene scene = step.scene_json.json.empty() ? last->scene : scene_from(step.scene_json, place + ".scene", folder_, assets_);
+        Scene scene = step.scene_json.json.empty() ? last->scene
+                                                   : scene_from(step.scene_json, place + ".scene", folder_, assets_);
         if (!step.camera_json.json.empty()) {
             const json camera = json::parse(step.camera_json.json);
             const std::string setting = "camera=" + step.camera_json.json;
@@ -176,12 +178,7 @@ std::vector<Lesson> lessons_in(std::string_view folder, const Assets &assets, co
 
 Lesson parse_lesson(std::string_view text, const fs::path &file, const fs::path &folder, const Assets &assets,
                     const Words &words) {
-    json parsed;
-    try {
-        parsed = json::parse(text);
-    } catch (const json::exception &error) {
-        throw InputError("{}: expected JSON: {}", file.string(), error.what());
-    }
+    const json parsed = read_json<json>(text, file.string());
     Lesson lesson;
     LessonReader(file.string(), words).read_object(parsed, "", lesson, "$schema"); // which is for editors
     lesson.name = file.stem().string();
@@ -202,14 +199,18 @@ bool is_lesson_file(const fs::path &file) {
     if (file.extension() != ".json" || !fs::is_regular_file(file, error)) {
         return false;
     }
-    const json read = json::parse(read_file(file), nullptr, false);
-    return read.is_object() && (read.contains("steps") || read.contains("title"));
+    try {
+        const auto read = read_json<json>(read_file(file, largest_json), file.string());
+        return read.is_object() && (read.contains("steps") || read.contains("title"));
+    } catch (const InputError &) { // who opens it says what is wrong
+        return false;
+    }
 }
 
 Lesson open_lesson(const std::string &name_or_file, const Assets &assets, const Words &words) {
     const fs::path path(name_or_file);
     if (path.has_parent_path() || path.extension() == ".json") {
-        return parse_lesson(read_file(path), path, fs::absolute(path).parent_path(), assets, words);
+        return parse_lesson(read_file(path, largest_json), path, fs::absolute(path).parent_path(), assets, words);
     }
     std::vector<std::string> names;
     for (const std::string_view folder : {lessons_folder, bugs_folder}) {

@@ -2,6 +2,7 @@
 
 #include "image/error.h"
 #include "image/image_file.h"
+#include "image/plain_text.h"
 #include "ui/script_player.h"
 
 #include <cstdio>
@@ -47,7 +48,7 @@ int run_script(const std::filesystem::path &file, const WindowOptions &options) 
         try {
             player.play(line);
         } catch (const ExpectationFailed &failed) {
-            fmt::print(stderr, "{}:{}: {}\n", name, line.number, failed.what());
+            fmt::print(stderr, "{}:{}: {}\n", plain_text(name), line.number, plain_lines(failed.what()));
             return 1;
         } catch (const InputError &error) {
             throw InputError("{}:{}: {}", name, line.number, error.what());

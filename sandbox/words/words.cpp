@@ -2,6 +2,7 @@
 
 #include "image/error.h"
 #include "image/system_font.h"
+#include "scene/read_json.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -11,14 +12,14 @@ namespace sandbox {
 
 Words::Words(std::string language, std::string_view json, const std::string &file)
     : language_(std::move(language)), file_(file) {
-    const nlohmann::json read = nlohmann::json::parse(json, nullptr, false);
+    const nlohmann::json read = read_json<nlohmann::json>(json, file);
     if (!read.is_object()) {
         throw InputError("{}: expected a JSON object of texts", file);
     }
     Texts texts;
     for (const auto &[key, text] : read.items()) {
         if (!text.is_string()) {
-            throw InputError("{}: {}: expected a string, got {}", file, key, text.dump());
+            throw InputError("{}: {}: expected a string, got {}", file, key.substr(0, 60), short_json(text));
         }
         texts.emplace(key, text.get<std::string>());
     }

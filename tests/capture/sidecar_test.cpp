@@ -1,10 +1,12 @@
 #include "capture/sidecar.h"
 
+#include "capture/picture_ranges.h"
 #include "image/error.h"
 #include "scene/scene_file.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace sandbox {
 namespace {
@@ -87,6 +89,12 @@ TEST(Sidecar, AWrongValueIsRefusedByItsKey) {
                                                              {"techniques", {"flat"}},
                                                              {"size", "640x480"},
                                                              {"size", {1}},
+                                                             {"size", {1e300, 5}},
+                                                             {"size", {-5, 5}},
+                                                             {"size", {99999, 99999}},
+                                                             {"exposure", -1},
+                                                             {"exposure", 1e9},
+                                                             {"gain", 0},
                                                              {"display", "gamma"},
                                                              {"exposure", "bright"},
                                                              {"divider", 1.5},
@@ -105,6 +113,15 @@ TEST(Sidecar, AWrongValueIsRefusedByItsKey) {
         } catch (const InputError &error) {
             EXPECT_EQ(std::string(error.what()).rfind("a.png.json: " + key, 0), 0U) << error.what();
         }
+    }
+}
+
+TEST(Sidecar, HoldsTheEndsOfWhatTheWindowOffers) {
+    for (const auto &[exposure, gain] : {std::pair(0.0, gain_range.low), std::pair(exposure_range.high, 1e9)}) {
+        PictureOptions options;
+        options.exposure = exposure;
+        options.gain = gain;
+        EXPECT_EQ(sidecar_options(sidecar_text(ball(), options, {}), "a.json"), options) << exposure;
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <sys/stat.h>
 
 /// The built program's command line, as far as it needs no OpenGL.
 namespace sandbox {
@@ -84,7 +85,7 @@ TEST(Cli, CaptureFlagsThatContradictEachOther) {
     refused({"--out", "a.png", "--samples", "4", "--pixel", "0.5,0.5", "--loupe"}, "--samples");
     refused({"--out", "a.pfm", "--samples", "4"}, "--samples");
     refused({"--out", "a.png", "--exposure", "nan"}, "--exposure");
-    refused({"--out", "a.png", "--exposure", "0"}, "--exposure");
+    refused({"--out", "a.png", "--exposure", "-1"}, "--exposure: expected a number >= 0, got -1");
     refused({"--out", "a.png", "--display", "gamma"}, "--display");
     refused({"--out", "a.pfm", "--exposure", "2"}, "--exposure");
     refused({"--out", "a.pfm", "--labels"}, "--labels");
@@ -115,7 +116,8 @@ TEST(Cli, TheOtherCommandsCheckTheirWordsFirst) {
 TEST(Cli, ASidecarIsCheckedLikeFlags) {
     const TemporaryFolder folder;
     for (const std::string wrong :
-         {R"("size": [0, 5])", R"("size": [99999, 99999])", R"("exposure": -1)", R"("gain": 0)"}) {
+         {R"("size": [0, 5])", R"("size": [99999, 99999])", R"("size": [1e300, 5])", R"("size": [64.5, 5])",
+          R"("exposure": -1)", R"("exposure": 1e9)", R"("gain": 0)"}) {
         folder.write("a.png.json", R"({"scene": {"objects": []}, "techniques": ["flat/phong"], )" + wrong + "}");
         expect_refused({"capture", folder.file("a.png.json"), "--out", folder.file("b.png")},
                        "a.png.json: " + wrong.substr(1, wrong.find(':') - 2));
@@ -182,6 +184,44 @@ TEST(Cli, OutputThatCannotBeWrittenIsAnError) {
     EXPECT_EQ(run_sandbox({"list"}, "", "> /dev/full").exit_code, 2);
     EXPECT_EQ(run_sandbox({"--help"}, "", "> /dev/full").exit_code, 2);
     EXPECT_EQ(run_sandbox({"list"}, "", ">&-").exit_code, 2);
+}
+
+TEST(Cli, HostileFilesAreRefusedInOneSentence) {
+    const TemporaryFolder folder;
+    const std::string deep = std::string(100000, '[') + std::string(100000, ']');
+    folder.write("deep.json", R"({"scene": {}, "techniques": )" + deep + "}");
+    expect_refused({"capture", folder.file("deep.json"), "--out", "a.png"},
+                   "deep.json: nested deeper than 64 levels\n");
+    folder.write("report.json", R"({"format": "shading-sandbox report 1", "runs": [{"scene": )" + deep + "}]}");
+    expect_refused({"report", "--merge", folder.file("report.json"), "--out", folder.file("out")},
+                   "report.json: nested deeper than 64 levels\n");
+    folder.write("escape.json", R"({"objects": [{"mesh": {"shape": "box"}, "\u001b[2J\u001b]0;title\u0007key": 1}]})");
+    expect_refused({"capture", folder.file("escape.json"), "--out", "a.png"},
+                   R"(objects[0].\x1B[2J\x1B]0;title\x07key: unknown key of this object)");
+}
+
+TEST(Cli, OnlyRegularFilesAreRead) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(::mkfifo(folder.file("pipe.png").c_str(), 0600), 0);
+    ASSERT_EQ(::mkfifo(folder.file("pipe.json").c_str(), 0600), 0);
+    expect_refused({"glsl", folder.file("pipe.json"), "--technique", "flat/phong"},
+                   "pipe.json: expected a regular file, got a pipe");
+    folder.write("a.json", R"({"objects": [{"mesh": {"shape": "box"}, "material": {"texture": "pipe.png"}}]})");
+    expect_refused({"reference", folder.file("a.json"), "--out", folder.file("a.pfm")},
+                   "objects[0].material.texture: " + folder.file("pipe.png") + ": expected a regular file, got a pipe");
+    expect_refused({"glsl", "/dev/zero", "--technique", "flat/phong"}, "/dev/zero: expected a .json or .obj file");
+}
+
+TEST(Cli, PathsThatAreNoUtf8AreRefusedFirst) {
+    const TemporaryFolder folder;
+    expect_refused({"report", "vase", "--out", folder.file("caf\xE9")}, R"(caf\xE9': expected UTF-8 text; rename)");
+    EXPECT_EQ(folder.names().size(), 0U);
+    std::filesystem::create_directory(folder.file("caf\xE9"));
+    folder.write("caf\xE9/a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const ProcessResult within =
+        run_sandbox({"glsl", "./a.obj", "--technique", "flat/phong"}, "cd '" + folder.file("caf\xE9") + "' &&");
+    EXPECT_EQ(within.exit_code, 2);
+    EXPECT_NE(within.err.find(R"(caf\xE9/a.obj: expected a path of UTF-8 text)"), std::string::npos) << within.err;
 }
 
 TEST(Cli, AnInterruptLeavesNoHalfWrittenFile) {

@@ -20,7 +20,7 @@ TEST(StabilityCommand, CasesAreCheckedBeforeAnythingIsDrawn) {
     };
     refused({"--case", "spot-cutof-0"}, "--case: there is no case 'spot-cutof-0'; did you mean 'spot-cutoff-0'?");
     refused({"--case", folder.file("none.json")}, "none.json");
-    refused({"--case", folder.file("broken.json")}, "broken.json: expected JSON");
+    refused({"--case", folder.file("broken.json")}, "broken.json:1:2: syntax error");
     refused({"--case", folder.file("short.json")}, "short.json: symptom: missing");
     refused({"--assets", folder.file("")}, "--assets: expected cases");
     EXPECT_EQ(folder.names(), (std::vector<std::string>{"broken.json", "short.json"})) << "nothing is left behind";

@@ -2,7 +2,9 @@
 #include "tools/error_of.h"
 #include "tools/temporary_folder.h"
 
+#include <cstdint>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 namespace sandbox {
 namespace {
@@ -46,6 +48,59 @@ TEST(Png, RefusesAnyChangedBit) {
 TEST(Png, RefusesMoreThan8192PixelsASide) {
     const ByteImage wide{{8193, 1}, std::vector<std::uint8_t>(8193 * 3)};
     EXPECT_EQ(decoding_error(encode_png(wide)), "a.png: more than 8192 pixels a side");
+}
+
+/// A chunk of a PNG file, its checksum right or broken.
+std::string chunk(const std::string &type, const std::string &data, bool whole = true) {
+    const auto big_endian = [](std::uint32_t value) {
+        std::string bytes;
+        for (int shift = 24; shift >= 0; shift -= 8) {
+            bytes += static_cast<char>(value >> shift & 0xFFU);
+        }
+        return bytes;
+    };
+    std::uint32_t sum = 0xFFFFFFFF;
+    for (const char c : type + data) {
+        sum ^= static_cast<unsigned char>(c);
+        for (int bit = 0; bit < 8; ++bit) {
+            sum = sum >> 1 ^ ((sum & 1U) != 0 ? 0xEDB88320U : 0);
+        }
+    }
+    return big_endian(static_cast<std::uint32_t>(data.size())) + type + data + big_endian(~sum ^ (whole ? 0U : 1U));
+}
+
+/// 4x1 pixels of 2 bits, the indices 0, 1, 2, 3 of a palette; `more` stands before the data.
+std::string palette_png(const std::string &palette, const std::string &more, char sum = '\x1C') {
+    using namespace std::string_literals;
+    const std::string stored = "\x78\x01\x01\x02\x00\xFD\xFF\x00\x1B\x00\x1D\x00"s + sum; // zlib without compression
+    return std::string(png_signature) + chunk("IHDR", "\0\0\0\x04\0\0\0\x01\x02\x03\0\0\0"s) + chunk("PLTE", palette) +
+           more + chunk("IDAT", stored) + chunk("IEND", "");
+}
+const std::string four_colors = "\xFF\x01\x01\x01\xFF\x01\x01\x01\xFF\x09\x08\x07";
+
+TEST(Png, ReadsAPalette) {
+    const Image image = decode_image(palette_png(four_colors, chunk("tRNS", "\x33\xFF")), "a.png");
+    ASSERT_EQ(image.size, (Size{4, 1}));
+    EXPECT_EQ(image.at(0, 0), glm::vec4(255, 1, 1, 0x33) / 255.F);
+    EXPECT_EQ(image.at(1, 0), glm::vec4(1, 255, 1, 255) / 255.F);
+    EXPECT_EQ(image.at(3, 0), glm::vec4(9, 8, 7, 255) / 255.F) << "no entry: opaque";
+}
+
+TEST(Png, RefusesAColourBeyondThePalette) {
+    EXPECT_EQ(decoding_error(palette_png(four_colors.substr(0, 9), "")),
+              "a.png: pixel (3, 0) has colour 3 of a palette of 3");
+}
+
+TEST(Png, BrokenChecksumsMatterWhereAPixelNeedsTheChunk) {
+    EXPECT_EQ(decoding_error(palette_png(four_colors, chunk("tEXt", std::string("a\0b", 3), false))), "no error");
+    EXPECT_EQ(decoding_error(palette_png(four_colors, chunk("tRNS", "\x33", false))),
+              "a.png: the PNG file's transparency is damaged");
+    EXPECT_NE(decoding_error(palette_png(four_colors, "", '\x1D')), "no error") << "of the data itself";
+}
+
+TEST(Png, RefusesAppleForms) {
+    EXPECT_EQ(decoding_error(std::string(png_signature) + chunk("CgBI", "\x50\x20\x06\x02") + chunk("IEND", "")),
+              "a.png: a PNG in Apple's own form (CgBI), which is no standard one; export it as PNG again");
 }
 
 TEST(Jpeg, DecodesBaselineAndProgressive) {
@@ -130,6 +185,30 @@ TEST(ReadFile, NamesTheFileThatItCannotRead) {
     EXPECT_EQ(error_of([] { read_file("/no/such.txt"); }),
               "/no/such.txt: cannot read the file (No such file or directory)");
     EXPECT_EQ(error_of([] { read_file("/tmp"); }), "/tmp: cannot read the file (Is a directory)");
+}
+
+TEST(ReadFile, ReadsRegularFilesAlone) {
+    const TemporaryFolder folder;
+    const fs::path pipe = folder.path() / "pipe";
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_EQ(error_of([&] { read_file(pipe); }), pipe.string() + ": expected a regular file, got a pipe");
+    EXPECT_EQ(error_of([] { read_file("/dev/zero"); }), "/dev/zero: expected a regular file, got a device");
+    write_file(folder.path() / "a.txt", "text");
+    fs::create_symlink(folder.path() / "a.txt", folder.path() / "link.txt");
+    EXPECT_EQ(read_file(folder.path() / "link.txt"), "text");
+    EXPECT_FALSE(read_file("/proc/self/status").empty()) << "a regular file of no size";
+}
+
+TEST(ReadFile, LooksAtTheSizeFirst) {
+    const TemporaryFolder folder;
+    const fs::path path = folder.path() / "large";
+    write_file(path, "");
+    fs::resize_file(path, std::uintmax_t{1} << 40); // 1 TiB of nothing
+    EXPECT_EQ(error_of([&] { read_file(path); }), path.string() + ": the file is larger than 1024 MiB");
+    fs::resize_file(path, 1 << 20);
+    EXPECT_EQ(read_file(path, 1 << 20).size(), std::size_t{1} << 20);
+    fs::resize_file(path, (1 << 20) + 1);
+    EXPECT_EQ(error_of([&] { read_file(path, 1 << 20); }), path.string() + ": the file is larger than 1 MiB");
 }
 
 } // namespace

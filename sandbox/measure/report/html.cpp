@@ -1,6 +1,7 @@
 #include "measure/report/html.h"
 
 #include "image/image_file.h"
+#include "image/plain_text.h"
 #include "scene/assets.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ std::string escaped(std::string_view text) {
     constexpr std::pair<char, std::string_view> entities[]{
         {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
     std::string out;
-    for (const char c : text) {
+    for (const char c : plain_lines(text)) {
         const auto *entity = std::ranges::find(entities, c, &std::pair<char, std::string_view>::first);
         out += entity == std::end(entities) ? std::string(1, c) : std::string(entity->second);
     }

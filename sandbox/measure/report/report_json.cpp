@@ -16,10 +16,15 @@
 #include "measure/report/report_json.h"
 
 #include "image/error.h"
+#include "image/picture_size.h"
 #include "measure/work_precision/claims.h"
+#include "scene/read_json.h"
 #include "scene/scene_file.h"
+#include "scene/table_read.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -28,7 +33,26 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::string_view format = "shading-sandbox report 1";
+constexpr std::string_view report_format = "shading-sandbox report 1";
+
+/// Runs `work`; what it says is wrong is said with its place.
+template <class Work> auto at(const std::string &place, Work work) {
+    try {
+        return work();
+    } catch (const InputError &error) {
+        throw InputError("{}: {}", place, error.what());
+    }
+}
+
+/// A whole number from 0 to `high`: the library would make another number of -1, 0.9 or 1e300.
+template <class T> T whole_from(const Json &json, std::string_view key, double high) {
+    const double value = json.is_number() ? json.get<double>() : -1;
+    if (!(value >= 0 && value <= high && std::trunc(value) == value)) {
+        throw InputError("{}: expected a whole number from 0 to {}, got {}", key, number_text(high), short_json(json));
+    }
+    return static_cast<T>(value);
+}
+constexpr double most_rings = 1e6, most_triangles = 1e12, most_of_a_count = 1e9;
 
 template <class T, std::size_t N> Json quantities_json(const Quantity<T> (&quantities)[N], const T &measured) {
     Json json = Json::object();
@@ -37,10 +61,16 @@ template <class T, std::size_t N> Json quantities_json(const Quantity<T> (&quant
     }
     return json;
 }
+template <class T> void read_checked(const Json &json, const Quantity<T> &quantity, T &measured) {
+    if (const auto found = json.find(quantity.name); quantity.whole() && found != json.end() && !found->is_null()) {
+        whole_from<int>(*found, quantity.name, most_of_a_count);
+    }
+    read_quantity(json, quantity, measured);
+}
 template <class T, std::size_t N> T quantities_from(const Json &json, const Quantity<T> (&quantities)[N]) {
     T measured;
     for (const Quantity<T> &quantity : quantities) {
-        read_quantity(json, quantity, measured);
+        read_checked(json, quantity, measured);
     }
     return measured;
 }
@@ -62,7 +92,7 @@ RowErrors errors_from(const Json &json) {
     RowErrors errors;
     for_each_metric(errors.total, [&](const auto &metric, auto &measured) {
         if (!metric.costly) {
-            read_quantity(json, metric, measured);
+            read_checked(json, metric, measured);
         }
     });
     for (const ErrorPart &part : error_parts) {
@@ -109,17 +139,27 @@ Json row_json(const MeasuredRow &row, const std::vector<PlannedMesh> &meshes) {
     }
     return json;
 }
-MeasuredRow row_from(const Json &json) {
+std::vector<double> samples_from(const Json &json) {
+    auto samples = json.get<std::vector<double>>();
+    if (std::ranges::any_of(samples, [](double sample) { return !(sample > 0); })) { // ratios divide by them
+        throw InputError("time.samples: expected milliseconds > 0, got {}", std::ranges::min(samples));
+    }
+    return samples;
+}
+MeasuredRow row_from(const Json &json, std::size_t meshes) {
     MeasuredRow row;
     row.plan.technique = parse_technique(json.at("technique").get<std::string>());
-    json.at("mesh").get_to(row.plan.mesh);
+    row.plan.mesh = whole_from<std::size_t>(json.at("mesh"), "mesh", most_of_a_count);
+    if (row.plan.mesh >= meshes) {
+        throw InputError("mesh: there is no such mesh");
+    }
     row.plan.group = group_from(json.at("group"));
     row.refused = json.value("refused", "");
     if (json.contains("errors")) {
         row.errors = errors_from(json.at("errors"));
     }
     if (json.contains("time") && !json.at("time").at("samples").empty()) {
-        row.time = run_time(json.at("time").at("samples").get<std::vector<double>>());
+        row.time = run_time(samples_from(json.at("time").at("samples")));
     }
     return row;
 }
@@ -225,24 +265,31 @@ Json run_json(const ReportRun &run) {
     json["findings"] = findings_json(m);
     return json;
 }
-ReportRun run_from(const Json &json, std::string_view name) {
+ReportRun run_from(const Json &json) {
     ReportRun run;
-    for_each_plain_key(run, [&](const char *key, auto &member) { json.at(Json::json_pointer(key)).get_to(member); });
+    for_each_plain_key(run, [&]<class Member>(const char *key, Member &member) {
+        const Json &value = json.at(Json::json_pointer(key));
+        if constexpr (std::is_same_v<Member, int>) {
+            member = whole_from<int>(value, key + 1, most_of_a_count);
+        } else {
+            value.get_to(member);
+        }
+    });
     WorkPrecision &m = run.measured;
-    m.scene = parse_scene(json.at("scene").dump(), fmt::format("{}: scene", name), {});
+    at("size", [&] { check_size(m.options.size); });
+    m.scene = parse_scene(json.at("scene").dump(), "scene", {});
     m.seconds = quantities_from(json.at("seconds"), accounting_quantities);
     for (const Json &mesh : json.at("meshes")) {
-        m.meshes.push_back({mesh.at("rings").get<int>(),
-                            mesh.at("own").get<bool>(),
-                            mesh.at("ladder").get<bool>(),
-                            mesh.at("triangles").get<std::size_t>(),
-                            {}});
+        m.meshes.push_back(at(element("meshes", m.meshes.size()), [&] {
+            return PlannedMesh{whole_from<int>(mesh.at("rings"), "rings", most_rings),
+                               mesh.at("own").get<bool>(),
+                               mesh.at("ladder").get<bool>(),
+                               whole_from<std::size_t>(mesh.at("triangles"), "triangles", most_triangles),
+                               {}};
+        }));
     }
     for (const Json &row : json.at("rows")) {
-        m.rows.push_back(row_from(row));
-        if (m.rows.back().plan.mesh >= m.meshes.size()) {
-            throw InputError("rows: mesh: there is no such mesh");
-        }
+        m.rows.push_back(at(element("rows", m.rows.size()), [&] { return row_from(row, m.meshes.size()); }));
     }
     for (const Json &row : json.at("omitted")) {
         m.omitted.push_back({row.at("technique"), row.at("reason")});
@@ -253,7 +300,7 @@ ReportRun run_from(const Json &json, std::string_view name) {
 } // namespace
 
 std::string report_json(const std::vector<ReportRun> &runs) {
-    Json json{{"format", format}, {"runs", Json::array()}};
+    Json json{{"format", report_format}, {"runs", Json::array()}};
     for (const ReportRun &run : runs) {
         json["runs"].push_back(run_json(run));
     }
@@ -261,14 +308,17 @@ std::string report_json(const std::vector<ReportRun> &runs) {
 }
 
 std::vector<ReportRun> read_report_json(std::string_view text, std::string_view name) {
+    const auto json = read_json<Json>(text, name);
     std::vector<ReportRun> runs;
     try {
-        const Json json = Json::parse(text);
-        if (!json.is_object() || json.value("format", "") != format) {
-            throw InputError("expected a report.json of this program (\"format\": \"{}\")", format);
+        if (!json.is_object() || json.value("format", "") != report_format) {
+            throw InputError("expected a report.json of this program (\"format\": \"{}\")", report_format);
         }
         for (const Json &run : json.at("runs")) {
-            runs.push_back(run_from(run, name));
+            runs.push_back(at(element("runs", runs.size()), [&] { return run_from(run); }));
+        }
+        if (runs.empty()) {
+            throw InputError("runs: expected one or more");
         }
     } catch (const InputError &error) {
         throw InputError("{}: {}", name, error.what());

@@ -2,6 +2,7 @@
 
 #include "image/error.h"
 #include "image/image_file.h"
+#include "scene/read_json.h"
 #include "scene/scene_file.h"
 #include "scene/scene_setting.h"
 #include "scene/suggest.h"
@@ -32,17 +33,14 @@ class CaseReader {
         : file_(std::move(file)), folder_(std::move(folder)), assets_(assets) {}
 
     StabilityCase read(std::string_view text) {
-        try {
-            json_ = json::parse(text);
-        } catch (const json::exception &error) {
-            throw InputError("{}: expected JSON: {}", file_, error.what());
-        }
+        json_ = read_json<json>(text, file_);
         if (!json_.is_object()) {
-            throw InputError("{}: expected an object, got {}", file_, json_.dump());
+            throw InputError("{}: expected an object, got {}", file_, short_json(json_));
         }
         for (const auto &[key, value] : json_.items()) {
             if (std::ranges::find(known_keys, key) == known_keys.end()) {
-                throw InputError("{}: {}: unknown key of a stability case{}", file_, key, suggestion(key, known_keys));
+                throw InputError("{}: {}: unknown key of a stability case{}", file_, key.substr(0, 60),
+                                 suggestion(key, known_keys));
             }
         }
         const json usual{"per-pixel/blinn-phong", "per-pixel/phong", "per-pixel/blinn-phong:program=full",
@@ -86,7 +84,7 @@ class CaseReader {
             throw InputError("{}: {}: missing; expected {}", file_, key, what);
         }
         if (!good) {
-            throw InputError("{}: {}: expected {}, got {}", file_, key, what, json_[key].dump());
+            throw InputError("{}: {}: expected {}, got {}", file_, key, what, short_json(json_[key]));
         }
     }
 
@@ -136,7 +134,8 @@ class CaseReader {
 /// Where each case stands in assets/stability/order.json.
 std::map<std::string, std::size_t> order_of_cases(const Assets &assets) {
     std::map<std::string, std::size_t> order;
-    for (const json &name : json::parse(assets.read("stability/order.json").value_or("[]"))) {
+    for (const json &name :
+         read_json<json>(assets.read("stability/order.json").value_or("[]"), "stability/order.json")) {
         order.emplace(name, order.size());
     }
     return order;
@@ -178,7 +177,7 @@ std::vector<StabilityCase> stability_cases(const Assets &assets) {
 StabilityCase open_stability_case(const std::string &name_or_file, const Assets &assets) {
     const fs::path path(name_or_file);
     if (path.has_parent_path() || path.extension() == ".json") {
-        return parse_stability_case(read_file(path), path, fs::absolute(path).parent_path(), assets);
+        return parse_stability_case(read_file(path, largest_json), path, fs::absolute(path).parent_path(), assets);
     }
     std::vector<std::string_view> names;
     const std::vector<StabilityCase> cases = stability_cases(assets);

@@ -7,10 +7,6 @@
 /// What answers are called, by people nobody knows: for eyes, for spreadsheets, and as file names.
 namespace sandbox {
 
-/// On one line and harmless to a terminal: control characters, marks that turn the direction of text and bytes that are
-/// no UTF-8 become \xNN.
-std::string plain_text(std::string_view text);
-
 /// A cell that no spreadsheet takes for a formula: what begins with = + - @ or a tab gets ' in front.
 std::string plain_cell(std::string_view text);
 

@@ -1,6 +1,7 @@
 #include "teach/marking/exercise_read.h"
 
 #include "image/file_io.h"
+#include "scene/read_json.h"
 #include "scene/scene_file.h"
 #include "scene/scene_setting.h"
 #include "scene/suggest.h"
@@ -107,12 +108,7 @@ const TermPoints *Exercise::find(MarkTerm term) const {
 
 Exercise parse_exercise(std::string_view text, const fs::path &file, const fs::path &folder, const Assets &assets,
                         const Words &words) {
-    json parsed;
-    try {
-        parsed = json::parse(text);
-    } catch (const json::exception &error) {
-        throw InputError("{}: expected JSON: {}", file.string(), error.what());
-    }
+    const json parsed = read_json<json>(text, file.string());
     Exercise exercise;
     ExerciseReader(file.string(), words).read_object(parsed, "", exercise, "$schema"); // which is for editors
     exercise.name = file.stem().string();
@@ -132,7 +128,7 @@ std::vector<Exercise> builtin_exercises(const Assets &assets, const Words &words
 Exercise open_exercise(const std::string &name_or_file, const Assets &assets, const Words &words) {
     const fs::path path(name_or_file);
     if (path.has_parent_path() || path.extension() == ".json") {
-        return parse_exercise(read_file(path), path, fs::absolute(path).parent_path(), assets, words);
+        return parse_exercise(read_file(path, largest_json), path, fs::absolute(path).parent_path(), assets, words);
     }
     std::vector<std::string> names;
     for (const std::string &file : assets.list(exercises_folder)) {
@@ -152,8 +148,12 @@ bool is_exercise_file(const fs::path &file) {
     if (file.extension() != ".json" || !fs::is_regular_file(file, error)) {
         return false;
     }
-    const json read = json::parse(read_file(file), nullptr, false);
-    return read.is_object() && read.contains("terms") && read.contains("task");
+    try {
+        const auto read = read_json<json>(read_file(file, largest_json), file.string());
+        return read.is_object() && read.contains("terms") && read.contains("task");
+    } catch (const InputError &) { // who opens it says what is wrong
+        return false;
+    }
 }
 
 std::string student_copy(const Exercise &exercise) {

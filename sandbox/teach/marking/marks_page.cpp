@@ -1,8 +1,8 @@
 #include "teach/marking/marks_page.h"
 
 #include "image/difference.h"
+#include "image/plain_text.h"
 #include "measure/report/html.h"
-#include "teach/marking/answer_names.h"
 #include "teach/marking/sentences.h"
 #include "words/row_words.h"
 

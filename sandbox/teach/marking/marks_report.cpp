@@ -1,5 +1,6 @@
 #include "teach/marking/marks_report.h"
 
+#include "image/plain_text.h"
 #include "measure/report/csv.h"
 #include "teach/marking/answer_names.h"
 #include "teach/marking/sentences.h"

@@ -1,6 +1,6 @@
 #include "teach/marking/sentences.h"
 
-#include "teach/marking/answer_names.h"
+#include "image/plain_text.h"
 #include "words/row_words.h"
 
 #include <algorithm>

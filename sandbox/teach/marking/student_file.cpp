@@ -1,7 +1,7 @@
 #include "teach/marking/student_file.h"
 
+#include "image/plain_text.h"
 #include "shading/own_files.h"
-#include "teach/marking/answer_names.h"
 
 #include <fmt/format.h>
 #include <string_view>

@@ -1,3 +1,4 @@
+#include "capture/picture_ranges.h"
 #include "scene/orbit.h"
 #include "ui/panels/panels.h"
 #include "ui/widgets/property_rows.h"
@@ -15,7 +16,6 @@ constexpr Range elevation{.low = -most_elevation_degrees,
                           .high = most_elevation_degrees,
                           .slider = {-most_elevation_degrees, most_elevation_degrees, "%.1f"}};
 constexpr Range distance_range{.low = 1e-6, .high = 1e9, .slider = {0.5, 50, "%.2f", true}};
-constexpr Range exposure_range{.low = 0, .high = 1e6, .slider = {0.05, 20, "%.3g", true}};
 
 void view_button(Session &session, const Label &name, const Camera &camera) {
     if (toggle_button(session, name, session.document.scene.camera == camera, session.text("camera.view.help"))) {

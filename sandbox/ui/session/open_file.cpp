@@ -3,6 +3,7 @@
 #include "capture/opening_view.h"
 #include "capture/sidecar.h"
 #include "image/image_file.h"
+#include "scene/read_json.h"
 #include "scene/scene_file.h"
 
 #include <algorithm>
@@ -61,7 +62,7 @@ OpenedFile open_file(const std::string &name_or_path, const Assets &assets, Scen
     const std::filesystem::path path(name_or_path);
     file.name = path.stem().string();
     if (!is_builtin(name_or_path, assets) && path.extension() == ".json") {
-        if (const auto options = sidecar_options(read_file(path), path.filename().string())) {
+        if (const auto options = sidecar_options(read_file(path, largest_json), path.filename().string())) {
             take_sidecar(file, *options);
         }
     }

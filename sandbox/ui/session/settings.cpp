@@ -2,6 +2,7 @@
 
 #include "image/error.h"
 #include "image/file_io.h"
+#include "scene/read_json.h"
 #include "words/words.h"
 
 #include <algorithm>
@@ -43,7 +44,7 @@ Settings read_settings(const fs::path &file, std::string &message) {
         return settings;
     }
     try {
-        const nlohmann::json from = nlohmann::json::parse(read_file(file));
+        const nlohmann::json from = read_json<nlohmann::json>(read_file(file, largest_json), file.string());
         settings.dark = from.value("dark", settings.dark);
         settings.panels = from.value("panels", settings.panels);
         settings.scale = std::clamp(from.value("scale", settings.scale), 0.6, 3.0);
@@ -57,9 +58,10 @@ Settings read_settings(const fs::path &file, std::string &message) {
                                 lessons->value("seen", std::map<std::string, std::set<std::size_t>>{})};
         }
         settings.exercises = from.value("exercises", settings.exercises);
-        const auto size = from.value("window", std::array<int, 2>{settings.window.width, settings.window.height});
-        settings.window = {std::clamp(size[0], least_window.width, 16384),
-                           std::clamp(size[1], least_window.height, 16384)};
+        const auto size = from.value("window", std::array<double, 2>{static_cast<double>(settings.window.width),
+                                                                     static_cast<double>(settings.window.height)});
+        settings.window = {static_cast<int>(std::clamp<double>(size[0], least_window.width, 16384)),
+                           static_cast<int>(std::clamp<double>(size[1], least_window.height, 16384))};
     } catch (const std::exception &) { // no JSON, or other values
         const fs::path aside = file.string() + ".damaged";
         fs::rename(file, aside, error);
@@ -89,7 +91,7 @@ void write_settings(const fs::path &file, const Settings &settings) {
         {"lessons",
          {{"last", settings.lessons.last}, {"step", settings.lessons.step}, {"seen", settings.lessons.seen}}},
         {"exercises", settings.exercises}};
-    write_file(file, to.dump(2) + "\n");
+    write_file(file, to.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }
 
 std::string system_language() {

@@ -1,6 +1,7 @@
 #include "ui/views/difference_scale.h"
 
 #include "capture/picture.h"
+#include "capture/picture_ranges.h"
 #include "image/difference.h"
 #include "ui/views/view_captions.h"
 #include "ui/widgets/theme.h"
@@ -15,8 +16,6 @@
 namespace sandbox {
 
 namespace {
-
-constexpr Range gain_range{.low = 0.1, .high = 1e9, .slider = {1, 1000, "%.4g", true}};
 
 ImU32 packed(const glm::vec3 &color) { return ImGui::GetColorU32(ImVec4(color.r, color.g, color.b, 1)); }
 

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <tuple>
 
 namespace sandbox {
 namespace {
@@ -173,7 +174,32 @@ TEST(ReportJson, OtherFilesAreRefusedByName) {
           "{\"format\": \"shading-sandbox report 1\"}", "{\"format\": \"shading-sandbox report 1\", \"runs\": [{}]}",
           "{\"format\": \"shading-sandbox report 1\", \"runs\": 3}"}) {
         const std::string said = error_of([&] { read_report_json(text, "a.json"); });
-        EXPECT_EQ(said.rfind("a.json: ", 0), 0U) << text << ": " << said;
+        EXPECT_EQ(said.rfind("a.json:", 0), 0U) << text << ": " << said;
+    }
+}
+
+TEST(ReportJson, NumbersThatNoReportHasAreRefused) {
+    const std::string good = report_json({ball_run()});
+    const std::vector<std::tuple<std::string, nlohmann::json, std::string>> wrong{
+        {"/runs/0/size/0", -5, "runs[0]: size/0: expected a whole number from 0 to 1e9, got -5"},
+        {"/runs/0/size/1", 1e300, "runs[0]: size/1: expected a whole number from 0 to 1e9, got 1e+300"},
+        {"/runs/0/size/1", 20000, "runs[0]: size: "},
+        {"/runs/0/repeats", 0.5, "runs[0]: repeats: expected a whole number from 0 to 1e9, got 0.5"},
+        {"/runs/0/machine/threads", true, "runs[0]: machine/threads: expected a whole number"},
+        {"/runs/0/meshes/1/rings", 1e300,
+         "runs[0]: meshes[1]: rings: expected a whole number from 0 to 1e6, got 1e+300"},
+        {"/runs/0/meshes/0/triangles", -1,
+         "runs[0]: meshes[0]: triangles: expected a whole number from 0 to 1e12, got -1"},
+        {"/runs/0/rows/2/mesh", 0.9, "runs[0]: rows[2]: mesh: expected a whole number"},
+        {"/runs/0/rows/2/mesh", 99, "runs[0]: rows[2]: mesh: there is no such mesh"},
+        {"/runs/0/rows/2/errors/compared_pixels", -1, "runs[0]: rows[2]: compared_pixels: expected a whole number"},
+        {"/runs/0/rows/2/time/samples/0", 0, "runs[0]: rows[2]: time.samples: expected milliseconds > 0, got 0"},
+        {"/runs", nlohmann::json::array(), "runs: expected one or more"}};
+    for (const auto &[key, value, said] : wrong) {
+        auto json = nlohmann::json::parse(good);
+        json.at(nlohmann::json::json_pointer(key)) = value;
+        const std::string error = error_of([&] { read_report_json(json.dump(), "a.json"); });
+        EXPECT_TRUE(error.starts_with("a.json: " + said)) << key << ": " << error;
     }
 }
 

@@ -62,7 +62,7 @@ TEST(StabilityCases, FindScenesAndMeshesBesideTheirFile) {
 }
 
 TEST(StabilityCases, ErrorsNameFileKeyAndWhatWasExpected) {
-    EXPECT_TRUE(error("{").starts_with("mine.json: expected JSON")) << error("{");
+    EXPECT_TRUE(error("{").starts_with("mine.json:1:2: syntax error")) << error("{");
     EXPECT_EQ(error("[]"), "mine.json: expected an object, got []");
     EXPECT_EQ(error(R"({"group": "spot"})"), "mine.json: symptom: missing; expected a string that is not empty");
     EXPECT_EQ(error(R"({"group": 3})"), "mine.json: group: expected a string that is not empty, got 3");
