@@ -19,13 +19,13 @@ class SettingsTest : public testing::Test {
 };
 
 TEST_F(SettingsTest, WhatIsWrittenIsRead) {
-    Settings settings{.dark = false,
-                      .panels = false,
-                      .scale = 1.5,
-                      .language = "zh",
-                      .window = {1000, 700},
-                      .panel_sizes = {30, 0.5F},
-                      .recent = {"/a.json"}};
+    Settings settings;
+    settings.dark = settings.panels = false;
+    settings.scale = 1.5;
+    settings.language = "zh";
+    settings.window = {1000, 700};
+    settings.panel_sizes = {30, 0.5F};
+    settings.recent = {"/a.json"};
     settings.lessons = {"two-sided", 3, {{"two-sided", {0, 1, 3}}, {"/mine.json", {0}}}};
     settings.exercises = {"lambert", "/mine.json"};
     write_settings(folder.path() / "a" / "settings.json", settings); // makes the folder
