@@ -7,6 +7,7 @@
 #include "scene/read_json.h"
 #include "scene/scene_file.h"
 #include "scene/scene_setting.h"
+#include "teach/files/taught_file.h"
 #include "teach/lesson_read.h"
 #include "teach/marking/exercise_read.h"
 #include "tools/error_of.h"
@@ -90,8 +91,7 @@ TEST(EveryJson, RefusesManyOfAKindInAFewWords) {
 TEST(EveryJson, FilesThatAreNoneOfTheirKindAreToldApart) {
     const TemporaryFolder folder;
     folder.write("deep.json", repeated("[", 100000) + repeated("]", 100000));
-    EXPECT_FALSE(is_lesson_file(folder.file("deep.json")));
-    EXPECT_FALSE(is_exercise_file(folder.file("deep.json")));
+    EXPECT_EQ(taught_file(folder.file("deep.json")), TaughtFile::none);
     std::string message;
     EXPECT_EQ(read_settings(folder.file("deep.json"), message), Settings{});
     EXPECT_NE(message.find("deep.json.damaged"), std::string::npos) << message;

@@ -157,14 +157,7 @@ Answer read_answer(const AnswerFile &file) {
         return OwnShader(name, bytes);
     }
     refuse_large_picture(bytes);
-    if (bytes.starts_with(png_signature)) {
-        return Observed{decode_png(bytes, name), true};
-    }
-    if (bytes.starts_with("PF") || bytes.starts_with("Pf")) {
-        return Observed{decode_pfm(bytes, name), false};
-    }
-    throw InputError("{}: expected a PNG or PFM picture, got {}", name,
-                     bytes.empty() ? "an empty file" : "another kind of file");
+    return decode_observed(bytes, name);
 }
 
 } // namespace sandbox

@@ -29,20 +29,6 @@ struct DiagnoseFlags {
 /// last argument: with object ids. Throws InputError where the text does not compile.
 using OwnDraw = std::function<Frame(const Scene &, const Technique &, Size, bool)>;
 
-/// The picture in a file, told by its first bytes.
-Observed read_picture(const std::filesystem::path &path) {
-    const std::string bytes = read_file(path);
-    const std::string name = path.string();
-    if (bytes.starts_with(png_signature)) {
-        return {decode_png(bytes, name), true};
-    }
-    if (bytes.starts_with("PF") || bytes.starts_with("Pf")) {
-        return {decode_pfm(bytes, name), false};
-    }
-    throw InputError("{}: expected a PNG or PFM picture, got {}", name,
-                     bytes.empty() ? "an empty file" : "another kind of file");
-}
-
 /// The difference, so much stronger that its largest value has the strongest colour.
 void write_residual(const DiagnoseFlags &flags, const Observed &observed, const Diagnosis &diagnosis) {
     const double largest = largest_difference(observed.numbers, diagnosis.expected);
@@ -86,7 +72,7 @@ int run_diagnose(const DiagnoseFlags &flags, const CommonOptions &common) {
     request.technique = known_technique(flags, own);
     Size size = flags.size.value_or(Size{640, 480});
     if (!own) {
-        request.observed = read_picture(flags.picture);
+        request.observed = decode_observed(read_file(flags.picture), flags.picture.string());
         size = request.observed.numbers.size;
         with_flag(flags.picture.string(), [&] { check_size(size); });
     }

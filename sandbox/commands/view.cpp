@@ -1,5 +1,6 @@
 #include "commands/commands.h"
 #include "commands/own_flags.h"
+#include "teach/files/taught_file.h"
 #include "teach/lesson_read.h"
 #include "teach/marking/exercise_read.h"
 #include "ui/run_script.h"
@@ -48,17 +49,18 @@ int run_view(const ViewFlags &flags, const CommonOptions &common) {
     WindowOptions options;
     options.assets = scene_assets(common);
     options.shaders = shader_assets(common);
-    const bool lesson = is_lesson_file(flags.scene);
+    const bool lesson = taught_file(flags.scene) == TaughtFile::lesson;
     const std::string scene = lesson ? ViewFlags().scene : flags.scene;
     options.file = open_file(scene, options.assets, open_scene(common, scene)); // with every --set
     if (lesson || !flags.lesson.empty()) {
         const std::string id = lesson ? flags.scene : flags.lesson;
-        options.lesson = is_lesson_file(id) ? std::filesystem::absolute(id).string() : id;
+        options.lesson = taught_file(id) == TaughtFile::lesson ? std::filesystem::absolute(id).string() : id;
         open_lesson(options.lesson, options.assets, words_in(languages.front(), options.assets)); // throws if bad
     }
     if (!flags.exercise.empty()) {
-        options.exercise =
-            is_exercise_file(flags.exercise) ? std::filesystem::absolute(flags.exercise).string() : flags.exercise;
+        options.exercise = taught_file(flags.exercise) == TaughtFile::exercise
+                               ? std::filesystem::absolute(flags.exercise).string()
+                               : flags.exercise;
         open_exercise(options.exercise, options.assets, words_in(languages.front(), options.assets)); // throws if bad
     }
     OwnTechniques techniques(flags.own);

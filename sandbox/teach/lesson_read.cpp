@@ -6,6 +6,7 @@
 #include "scene/scene_setting.h"
 #include "teach/claims.h"
 #include "teach/files/scene_source.h"
+#include "teach/files/taught_file.h"
 #include "teach/files/text_read.h"
 #include "teach/lesson_format.h"
 
@@ -194,37 +195,12 @@ std::vector<Lesson> builtin_bugs(const Assets &assets, const Words &words) {
     return lessons_in(bugs_folder, assets, words);
 }
 
-bool is_lesson_file(const fs::path &file) {
-    std::error_code error;
-    if (file.extension() != ".json" || !fs::is_regular_file(file, error)) {
-        return false;
-    }
-    try {
-        const auto read = read_json<json>(read_file(file, largest_json), file.string());
-        return read.is_object() && (read.contains("steps") || read.contains("title"));
-    } catch (const InputError &) { // who opens it says what is wrong
-        return false;
-    }
-}
-
 Lesson open_lesson(const std::string &name_or_file, const Assets &assets, const Words &words) {
     const fs::path path(name_or_file);
-    if (path.has_parent_path() || path.extension() == ".json") {
+    if (names_file(path)) {
         return parse_lesson(read_file(path, largest_json), path, fs::absolute(path).parent_path(), assets, words);
     }
-    std::vector<std::string> names;
-    for (const std::string_view folder : {lessons_folder, bugs_folder}) {
-        for (const std::string &file : assets.list(folder)) {
-            names.push_back(fs::path(file).stem().string());
-            if (names.back() == name_or_file) {
-                return builtin_lesson(file, assets, words);
-            }
-        }
-    }
-    const std::vector<std::string_view> known(names.begin(), names.end());
-    const std::string_view nearest = nearest_word(name_or_file, known);
-    throw InputError("{}: no built-in lesson of that name{}", name_or_file,
-                     nearest.empty() ? " (see: shading-sandbox list)" : fmt::format("; did you mean \"{}\"?", nearest));
+    return builtin_lesson(builtin_file(name_or_file, {lessons_folder, bugs_folder}, assets, "lesson"), assets, words);
 }
 
 } // namespace sandbox

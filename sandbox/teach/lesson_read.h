@@ -22,9 +22,6 @@ Lesson parse_lesson(std::string_view text, const std::filesystem::path &file, co
 std::vector<Lesson> builtin_lessons(const Assets &assets, const Words &words);
 std::vector<Lesson> builtin_bugs(const Assets &assets, const Words &words);
 
-/// Is it a .json file that holds a lesson, perhaps a bad one, rather than a scene?
-bool is_lesson_file(const std::filesystem::path &file);
-
 /// The built-in lesson or bug of that name, or the lesson in a .json file.
 Lesson open_lesson(const std::string &name_or_file, const Assets &assets, const Words &words);
 

@@ -6,8 +6,9 @@
 #include "image/system_font.h"
 #include "render/context.h"
 #include "scene/scene_file.h"
-#include "teach/lesson_read.h"
-#include "teach/marking/exercise_read.h"
+#include "teach/files/taught_file.h"
+#include "teach/lesson.h"
+#include "teach/marking/exercise.h"
 #include "ui/desktop.h"
 #include "ui/frame.h"
 #include "ui/keys.h"
@@ -246,7 +247,7 @@ void Window::take_dropped(const std::string &path) {
 /// In its tab. A bad one changes nothing.
 void Window::open_lesson(const std::string &name_or_path, std::size_t step) {
     attempt(session_, "", [&] {
-        const bool file = is_lesson_file(name_or_path);
+        const bool file = taught_file(name_or_path) == TaughtFile::lesson;
         const std::string id = file ? std::filesystem::absolute(name_or_path).string() : name_or_path;
         const auto lesson = read_lesson(session_, assets_, id);
         load(lesson->steps[std::min(step, lesson->steps.size() - 1)].scene, "");
@@ -266,7 +267,7 @@ void Window::open_lesson(const std::string &name_or_path, std::size_t step) {
 /// In its tab, likewise.
 void Window::open_exercise(const std::string &name_or_path) {
     attempt(session_, "", [&] {
-        const bool file = is_exercise_file(name_or_path);
+        const bool file = taught_file(name_or_path) == TaughtFile::exercise;
         const std::string id = file ? std::filesystem::absolute(name_or_path).string() : name_or_path;
         const auto exercise = read_exercise(session_, assets_, id);
         load(exercise->shown_scene(), session_.text("exercise_tab.opened", exercise->title.text));
@@ -295,11 +296,13 @@ void Window::begin_exercise() {
 
 void Window::open(const std::string &name_or_path) {
     attempt(session_, "", [&] {
-        if (is_exercise_file(name_or_path)) {
-            return open_exercise(name_or_path);
-        }
-        if (is_lesson_file(name_or_path)) {
+        switch (taught_file(name_or_path)) {
+        case TaughtFile::lesson:
             return open_lesson(name_or_path, 0);
+        case TaughtFile::exercise:
+            return open_exercise(name_or_path);
+        case TaughtFile::none:
+            break;
         }
         if (is_own_name(name_or_path)) {
             open_own(session_, name_or_path);

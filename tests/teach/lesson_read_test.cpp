@@ -1,3 +1,4 @@
+#include "teach/files/taught_file.h"
 #include "teach/lesson_read.h"
 
 #include "image/file_io.h"
@@ -110,9 +111,9 @@ TEST(LessonRead, ALessonFileIsToldFromAScene) {
     folder.write("scene.json", R"({"name": "x", "lights": []})");
     folder.write("broken.json", "{");
     folder.write("lesson.txt", lesson_of("{}"));
-    EXPECT_TRUE(is_lesson_file(folder.file("lesson.json")));
+    EXPECT_EQ(taught_file(folder.file("lesson.json")), TaughtFile::lesson);
     for (const char *other : {"scene.json", "broken.json", "lesson.txt", "absent.json"}) {
-        EXPECT_FALSE(is_lesson_file(folder.file(other))) << other;
+        EXPECT_NE(taught_file(folder.file(other)), TaughtFile::lesson) << other;
     }
 }
 

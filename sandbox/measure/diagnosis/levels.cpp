@@ -1,5 +1,7 @@
 #include "measure/diagnosis/levels.h"
 
+#include "image/error.h"
+#include "image/image_file.h"
 #include "image/srgb.h"
 
 #include <algorithm>
@@ -12,6 +14,17 @@ namespace {
 constexpr double gamma = 2.2;
 
 } // namespace
+
+Observed decode_observed(std::string_view bytes, const std::string &name) {
+    if (bytes.starts_with(png_signature)) {
+        return {decode_png(bytes, name), true};
+    }
+    if (bytes.starts_with("PF") || bytes.starts_with("Pf")) {
+        return {decode_pfm(bytes, name), false};
+    }
+    throw InputError("{}: expected a PNG or PFM picture, got {}", name,
+                     bytes.empty() ? "an empty file" : "another kind of file");
+}
 
 double encoded(double linear, Encoding encoding) {
     switch (encoding) {

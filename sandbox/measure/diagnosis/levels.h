@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -26,6 +27,9 @@ struct Observed {
     Image numbers;     ///< those of its file; bytes / 255
     bool bytes = true; ///< 8 bits a channel, as displayed; else floats, where light above white is kept
 };
+
+/// A PNG or PFM file, told by its first bytes. Throws InputError that begins with `name`.
+Observed decode_observed(std::string_view bytes, const std::string &name);
 
 /// Three values a pixel, 255: white. Infinite where the picture is not finite.
 using Levels = std::vector<float>;

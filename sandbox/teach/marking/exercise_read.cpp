@@ -4,8 +4,8 @@
 #include "scene/read_json.h"
 #include "scene/scene_file.h"
 #include "scene/scene_setting.h"
-#include "scene/suggest.h"
 #include "teach/files/scene_source.h"
+#include "teach/files/taught_file.h"
 #include "teach/files/text_read.h"
 #include "teach/marking/exercise_format.h"
 
@@ -127,33 +127,10 @@ std::vector<Exercise> builtin_exercises(const Assets &assets, const Words &words
 
 Exercise open_exercise(const std::string &name_or_file, const Assets &assets, const Words &words) {
     const fs::path path(name_or_file);
-    if (path.has_parent_path() || path.extension() == ".json") {
+    if (names_file(path)) {
         return parse_exercise(read_file(path, largest_json), path, fs::absolute(path).parent_path(), assets, words);
     }
-    std::vector<std::string> names;
-    for (const std::string &file : assets.list(exercises_folder)) {
-        names.push_back(fs::path(file).stem().string());
-        if (names.back() == name_or_file) {
-            return builtin_exercise(file, assets, words);
-        }
-    }
-    const std::vector<std::string_view> known(names.begin(), names.end());
-    const std::string_view nearest = nearest_word(name_or_file, known);
-    throw InputError("{}: no built-in exercise of that name{}", name_or_file,
-                     nearest.empty() ? " (see: shading-sandbox list)" : fmt::format("; did you mean \"{}\"?", nearest));
-}
-
-bool is_exercise_file(const fs::path &file) {
-    std::error_code error;
-    if (file.extension() != ".json" || !fs::is_regular_file(file, error)) {
-        return false;
-    }
-    try {
-        const auto read = read_json<json>(read_file(file, largest_json), file.string());
-        return read.is_object() && read.contains("terms") && read.contains("task");
-    } catch (const InputError &) { // who opens it says what is wrong
-        return false;
-    }
+    return builtin_exercise(builtin_file(name_or_file, {exercises_folder}, assets, "exercise"), assets, words);
 }
 
 std::string student_copy(const Exercise &exercise) {

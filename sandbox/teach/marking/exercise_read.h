@@ -23,9 +23,6 @@ std::vector<Exercise> builtin_exercises(const Assets &assets, const Words &words
 /// The built-in exercise of that name, or the exercise in a .json file.
 Exercise open_exercise(const std::string &name_or_file, const Assets &assets, const Words &words);
 
-/// Is it a .json file that looks like an exercise?
-bool is_exercise_file(const std::filesystem::path &file);
-
 /// The student's copy, as a file: without what is withheld, every text in the language that it was read in and every
 /// scene written out.
 std::string student_copy(const Exercise &exercise);

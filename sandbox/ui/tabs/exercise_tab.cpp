@@ -5,7 +5,6 @@
 #include "ui/session/shown_exercise.h"
 #include "ui/tabs/bottom_tabs.h"
 #include "ui/tabs/error_steps.h"
-#include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/verdict_mark.h"
 #include "ui/widgets/widgets.h"
@@ -53,13 +52,6 @@ class ExerciseTab final : public TabContent {
 /// The text that is marked: A's, if A shows own shading.
 OwnShader answer_of(const Session &session) {
     return session.document.left.model == Model::own ? session.document.left.own : OwnShader();
-}
-
-void large_text(Session &session, const char *name, const std::string &text) {
-    ImGui::PushFont(lecture_font());
-    wrapped_text(ImGui::GetStyleColorVec4(ImGuiCol_Text), text);
-    ImGui::PopFont();
-    describe_item(session, name, "", text);
 }
 
 void list_of_exercises(Session &session, const std::string &shown) {

@@ -1,7 +1,6 @@
 #include "ui/jobs/claims_job.h"
 #include "ui/tabs/bottom_tabs.h"
 #include "ui/tabs/claim_list.h"
-#include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -47,13 +46,6 @@ class LessonTab final : public TabContent {
 
 bool same_step(const std::shared_ptr<const ShownStep> &a, const std::shared_ptr<const ShownStep> &b) {
     return a && b && a->lesson == b->lesson && a->number == b->number;
-}
-
-void large_text(Session &session, const char *name, const std::string &text) {
-    ImGui::PushFont(lecture_font());
-    wrapped_text(ImGui::GetStyleColorVec4(ImGuiCol_Text), text);
-    ImGui::PopFont();
-    describe_item(session, name, "", text);
 }
 
 std::string step_title(const Lesson &lesson, std::size_t number) {

@@ -1,5 +1,6 @@
 #include "ui/widgets/widgets.h"
 
+#include "ui/widgets/fonts.h"
 #include "ui/widgets/line_breaks.h"
 #include "ui/widgets/theme.h"
 
@@ -296,6 +297,13 @@ void wrapped_text(const ImVec4 &color, const std::string &text) {
     ImGui::PushTextWrapPos(0);
     ImGui::TextColored(color, "%s", text.c_str());
     ImGui::PopTextWrapPos();
+}
+
+void large_text(Session &session, const char *name, const std::string &text) {
+    ImGui::PushFont(lecture_font());
+    wrapped_text(ImGui::GetStyleColorVec4(ImGuiCol_Text), text);
+    ImGui::PopFont();
+    describe_item(session, name, "", text);
 }
 
 ImTextureID texture_id(unsigned texture) {

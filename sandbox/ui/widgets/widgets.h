@@ -67,6 +67,8 @@ void row_label(const std::string &label);
 void heading(std::string_view text);
 /// In lines no wider than the window.
 void wrapped_text(const ImVec4 &color, const std::string &text);
+/// Likewise, for a lecture hall. Scripts call it `name`.
+void large_text(Session &session, const char *name, const std::string &text);
 /// An OpenGL texture's name as ImGui takes it.
 ImTextureID texture_id(unsigned texture);
 /// The way back.
