@@ -11,8 +11,10 @@ packages=(
     python3-glad libegl-dev libgl-dev libopengl-dev   # OpenGL: the loader's generator, headers
     libegl1 libgl1 libegl-mesa0 libgl1-mesa-dri       # OpenGL at run time, with a software renderer
     libglfw3-dev libimgui-dev fonts-dejavu-core       # the window
+    help2man                                          # `cmake --install`: manual pages
 )
-tests=(libgtest-dev libbenchmark-dev libstb-dev xvfb xdotool imagemagick procps)
+tests=(libgtest-dev libbenchmark-dev libstb-dev xvfb xdotool imagemagick procps
+       dpkg-dev file desktop-file-utils bash-completion) # and what packs the program
 
 fail() {
     echo "install.sh: $*" >&2
@@ -45,4 +47,4 @@ fi
 apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 -qq)
 echo "Installing ${missing[*]}" >&2
 "${apt[@]}" update >/dev/null || fail "apt-get update failed; is there a network, and are its sources right?"
-"${apt[@]}" install --yes --no-install-recommends "${missing[@]}" >/dev/null || fail "apt-get could not install: ${missing[*]}"
+"${apt[@]}" install --yes --no-remove --no-install-recommends "${missing[@]}" >/dev/null || fail "apt-get could not install: ${missing[*]}"
