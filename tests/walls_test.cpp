@@ -63,7 +63,7 @@ const std::vector<Library> libraries = {
     {"GLFW/.*", {"render", "ui"}},
     {"imstb_truetype\\.h", {"image"}},
     {"imgui.*|backends/imgui.*", {"ui"}},
-    {"spng\\.h|jpeglib\\.h|jerror\\.h", {"image"}},
+    {"spng\\.h|zlib\\.h|jpeglib\\.h|jerror\\.h", {"image"}},
     {"CLI/.*", {"main.cpp", "commands"}},
     {"nlohmann/.*", {"words", "scene", "measure", "teach", "capture", "ui", "commands"}},
 };

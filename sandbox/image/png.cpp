@@ -1,7 +1,9 @@
 #include "image/png.h"
 
 #include "image/error.h"
+#include "image/png_chunks.h"
 
+#include <cstdint>
 #include <cstdlib>
 #include <memory>
 #include <new>
@@ -15,6 +17,7 @@ using Coder = std::unique_ptr<spng_ctx, decltype(&spng_ctx_free)>;
 
 // Of text and colour profiles, which a small file can inflate without end.
 constexpr std::size_t most_metadata = std::size_t{64} << 20;
+constexpr std::size_t most_needless_data = std::size_t{1} << 20; // beyond the last pixel
 
 Coder make_coder(int flags) {
     Coder coder(spng_ctx_new(flags), spng_ctx_free);
@@ -40,36 +43,17 @@ void check(int error, std::string_view name) {
     }
 }
 
-/// Whether a chunk stands before the picture's data; no checksum is looked at.
-bool has_chunk(std::string_view bytes, std::string_view type) {
-    for (std::size_t at = png_signature.size(); bytes.size() - at >= 8;) {
-        const std::string_view here = bytes.substr(at + 4, 4);
-        if (here == type) {
-            return true;
-        }
-        std::size_t length = 0;
-        for (std::size_t i = 0; i < 4; ++i) {
-            length = length << 8 | static_cast<unsigned char>(bytes[at + i]);
-        }
-        if (here == "IDAT" || length + 12 > bytes.size() - at) {
-            break;
-        }
-        at += length + 12;
-    }
-    return false;
-}
-
-/// The pixels as 8 bits each of red, green, blue and opacity.
-std::vector<unsigned char> decode_rgba(spng_ctx *decoder, std::string_view name) {
+/// The pixels as red, green, blue and opacity. `format`: SPNG_FMT_RGBA8 or SPNG_FMT_RGBA16.
+template <class Sample> std::vector<Sample> decode_rgba(spng_ctx *decoder, spng_format format, std::string_view name) {
     std::size_t length = 0;
-    check(spng_decoded_image_size(decoder, SPNG_FMT_RGBA8, &length), name);
-    std::vector<unsigned char> rgba(length);
-    check(spng_decode_image(decoder, rgba.data(), length, SPNG_FMT_RGBA8, SPNG_DECODE_TRNS), name);
+    check(spng_decoded_image_size(decoder, format, &length), name);
+    std::vector<Sample> rgba(length / sizeof(Sample));
+    check(spng_decode_image(decoder, rgba.data(), length, format, SPNG_DECODE_TRNS), name);
     return rgba;
 }
 
-/// The same of a picture with a palette. Decoded here: libspng takes a colour that was never written for an index
-/// beyond the palette's end.
+/// The same, 8 bits each, of a picture with a palette. Decoded here: libspng takes a colour that was never written for
+/// an index beyond the palette's end.
 std::vector<unsigned char> decode_palette(spng_ctx *decoder, const spng_ihdr &header, std::string_view name) {
     std::size_t length = 0;
     check(spng_decoded_image_size(decoder, SPNG_FMT_RAW, &length), name);
@@ -102,31 +86,60 @@ std::vector<unsigned char> decode_palette(spng_ctx *decoder, const spng_ihdr &he
     return rgba;
 }
 
+/// Each of the values, red, green, blue and opacity, divided by 65535.
+Image from_words(Size size, const std::vector<std::uint16_t> &words) {
+    Image image(size);
+    auto word = words.begin();
+    for (glm::vec4 &pixel : image.pixels) {
+        for (int channel = 0; channel < 4; ++channel) {
+            pixel[channel] = static_cast<float>(*word++) / 65535.0F;
+        }
+    }
+    return image;
+}
+
 } // namespace
 
 Image decode_png(std::string_view bytes, std::string_view name) {
-    if (has_chunk(bytes, "CgBI")) {
+    if (has_png_chunk(bytes, "CgBI")) {
         throw InputError("{}: a PNG in Apple's own form (CgBI), which is no standard one; export it as PNG again",
                          name);
     }
-    const Coder decoder = make_coder(0);
+    if (png_data_is_split(bytes)) {
+        throw InputError(
+            "{}: another chunk stands within the PNG file's pixel data, whose chunks (IDAT) must follow each "
+            "other",
+            name);
+    }
+    // libspng sees the checksum of all pixels only where the last chunk of data holds more than that, so it is looked
+    // at below.
+    const Coder decoder = make_coder(SPNG_CTX_IGNORE_ADLER32);
     check(spng_set_image_limits(decoder.get(), max_image_side, max_image_side), name);
     check(spng_set_chunk_limits(decoder.get(), most_metadata, most_metadata), name);
     check(spng_set_crc_action(decoder.get(), SPNG_CRC_ERROR, SPNG_CRC_DISCARD), name);
     check(spng_set_png_buffer(decoder.get(), bytes.data(), bytes.size()), name);
     spng_ihdr header{};
     check(spng_get_ihdr(decoder.get(), &header), name);
-    const std::vector<unsigned char> rgba = header.color_type == SPNG_COLOR_TYPE_INDEXED
-                                                ? decode_palette(decoder.get(), header, name)
-                                                : decode_rgba(decoder.get(), name);
+    const Size size{static_cast<int>(header.width), static_cast<int>(header.height)};
+    Image image;
+    if (header.color_type == SPNG_COLOR_TYPE_INDEXED) {
+        image = from_bytes(size, decode_palette(decoder.get(), header, name).data(), 4);
+    } else if (header.bit_depth == 16) {
+        image = from_words(size, decode_rgba<std::uint16_t>(decoder.get(), SPNG_FMT_RGBA16, name));
+    } else {
+        image = from_bytes(size, decode_rgba<unsigned char>(decoder.get(), SPNG_FMT_RGBA8, name).data(), 4);
+    }
     spng_trns opacity{};
-    if (has_chunk(bytes, "tRNS") && spng_get_trns(decoder.get(), &opacity) != SPNG_OK) {
+    if (has_png_chunk(bytes, "tRNS") && spng_get_trns(decoder.get(), &opacity) != SPNG_OK) {
         throw InputError("{}: the PNG file's transparency is damaged", name);
     }
     check(spng_decode_chunks(decoder.get()), name); // what follows the picture may be damaged, too
     // libspng does not miss the checksum (4 bytes, as the type) of the last chunk.
     check(bytes.size() < bytes.rfind("IEND") + 8 ? SPNG_IO_EOF : SPNG_OK, name);
-    return from_bytes({static_cast<int>(header.width), static_cast<int>(header.height)}, rgba.data(), 4);
+    std::size_t raw = 0;
+    check(spng_decoded_image_size(decoder.get(), SPNG_FMT_RAW, &raw), name);
+    check_png_data(bytes, raw + most_needless_data, name);
+    return image;
 }
 
 std::string encode_png(const ByteImage &image) {

@@ -50,59 +50,6 @@ TEST(Png, RefusesMoreThan8192PixelsASide) {
     EXPECT_EQ(decoding_error(encode_png(wide)), "a.png: more than 8192 pixels a side");
 }
 
-/// A chunk of a PNG file, its checksum right or broken.
-std::string chunk(const std::string &type, const std::string &data, bool whole = true) {
-    const auto big_endian = [](std::uint32_t value) {
-        std::string bytes;
-        for (int shift = 24; shift >= 0; shift -= 8) {
-            bytes += static_cast<char>(value >> shift & 0xFFU);
-        }
-        return bytes;
-    };
-    std::uint32_t sum = 0xFFFFFFFF;
-    for (const char c : type + data) {
-        sum ^= static_cast<unsigned char>(c);
-        for (int bit = 0; bit < 8; ++bit) {
-            sum = sum >> 1 ^ ((sum & 1U) != 0 ? 0xEDB88320U : 0);
-        }
-    }
-    return big_endian(static_cast<std::uint32_t>(data.size())) + type + data + big_endian(~sum ^ (whole ? 0U : 1U));
-}
-
-/// 4x1 pixels of 2 bits, the indices 0, 1, 2, 3 of a palette; `more` stands before the data.
-std::string palette_png(const std::string &palette, const std::string &more, char sum = '\x1C') {
-    using namespace std::string_literals;
-    const std::string stored = "\x78\x01\x01\x02\x00\xFD\xFF\x00\x1B\x00\x1D\x00"s + sum; // zlib without compression
-    return std::string(png_signature) + chunk("IHDR", "\0\0\0\x04\0\0\0\x01\x02\x03\0\0\0"s) + chunk("PLTE", palette) +
-           more + chunk("IDAT", stored) + chunk("IEND", "");
-}
-const std::string four_colors = "\xFF\x01\x01\x01\xFF\x01\x01\x01\xFF\x09\x08\x07";
-
-TEST(Png, ReadsAPalette) {
-    const Image image = decode_image(palette_png(four_colors, chunk("tRNS", "\x33\xFF")), "a.png");
-    ASSERT_EQ(image.size, (Size{4, 1}));
-    EXPECT_EQ(image.at(0, 0), glm::vec4(255, 1, 1, 0x33) / 255.F);
-    EXPECT_EQ(image.at(1, 0), glm::vec4(1, 255, 1, 255) / 255.F);
-    EXPECT_EQ(image.at(3, 0), glm::vec4(9, 8, 7, 255) / 255.F) << "no entry: opaque";
-}
-
-TEST(Png, RefusesAColourBeyondThePalette) {
-    EXPECT_EQ(decoding_error(palette_png(four_colors.substr(0, 9), "")),
-              "a.png: pixel (3, 0) has colour 3 of a palette of 3");
-}
-
-TEST(Png, BrokenChecksumsMatterWhereAPixelNeedsTheChunk) {
-    EXPECT_EQ(decoding_error(palette_png(four_colors, chunk("tEXt", std::string("a\0b", 3), false))), "no error");
-    EXPECT_EQ(decoding_error(palette_png(four_colors, chunk("tRNS", "\x33", false))),
-              "a.png: the PNG file's transparency is damaged");
-    EXPECT_NE(decoding_error(palette_png(four_colors, "", '\x1D')), "no error") << "of the data itself";
-}
-
-TEST(Png, RefusesAppleForms) {
-    EXPECT_EQ(decoding_error(std::string(png_signature) + chunk("CgBI", "\x50\x20\x06\x02") + chunk("IEND", "")),
-              "a.png: a PNG in Apple's own form (CgBI), which is no standard one; export it as PNG again");
-}
-
 TEST(Jpeg, DecodesBaselineAndProgressive) {
     for (const char *name : {"red_blue.jpg", "red_blue_progressive.jpg"}) {
         const Image image = decode_image(data_file(name), name);
@@ -130,13 +77,9 @@ TEST(Jpeg, RefusesAFileThatEndsEarly) {
     }
 }
 
-TEST(Jpeg, RefusesInksInsteadOfLight) {
-    EXPECT_TRUE(decoding_error(data_file("cmyk.jpg")).starts_with("a.png: cannot decode the JPEG file ("));
-}
-
 TEST(Jpeg, SurvivesAnyChangedByte) {
     // Damage to the compressed data may decode to a wrong picture; it must not end the process.
-    for (const char *name : {"red_blue.jpg", "red_blue_progressive.jpg"}) {
+    for (const char *name : {"red_blue.jpg", "red_blue_progressive.jpg", "cmyk.jpg"}) {
         const std::string whole = data_file(name);
         for (std::size_t at = 3; at < whole.size(); ++at) {
             for (const char value : {'\0', '\xff', '\x7f', static_cast<char>(whole[at] ^ 0x10)}) {
@@ -146,11 +89,6 @@ TEST(Jpeg, SurvivesAnyChangedByte) {
             }
         }
     }
-}
-
-TEST(DecodeImage, RefusesOtherFiles) {
-    EXPECT_EQ(decoding_error(""), "a.png: expected a PNG or JPEG image, got an empty file");
-    EXPECT_EQ(decoding_error("GIF89a"), "a.png: expected a PNG or JPEG image, got another kind of file");
 }
 
 TEST(WriteFile, ReplacesTheWholeFileAndLeavesNoOther) {
