@@ -1,48 +1,17 @@
-#include "capture/frame_names.h"
-#include "capture/grid.h"
-#include "capture/sidecar.h"
-#include "measure/report/report_json.h"
-#include "measure/stability/cases.h"
-#include "scene/motion.h"
 #include "scene/read_json.h"
-#include "scene/scene_file.h"
 #include "scene/scene_setting.h"
 #include "teach/files/taught_file.h"
-#include "teach/lesson_read.h"
-#include "teach/marking/exercise_read.h"
 #include "tools/error_of.h"
+#include "tools/json_readers.h"
 #include "tools/temporary_folder.h"
 #include "ui/session/settings.h"
-#include "words/words.h"
 
-#include <functional>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 /// Every reader of JSON is handed what overflows a stack, never ends or fills the memory of one that is not bounded.
 namespace sandbox {
 namespace {
-
-struct JsonReader {
-    std::string name;
-    std::function<void(const std::string &)> read;
-};
-
-std::vector<JsonReader> readers() {
-    static const Assets assets("assets");
-    static const Words words("en", "{}", "en.json");
-    const std::string name = "a.json";
-    return {{"scene", [=](const std::string &text) { parse_scene(text, name, {}); }},
-            {"sidecar", [=](const std::string &text) { sidecar_options(text, name); }},
-            {"turntable", [=](const std::string &text) { turntable_of(text, name); }},
-            {"motion of a sidecar", [=](const std::string &text) { motion_of(text, name); }},
-            {"motion", [=](const std::string &text) { parse_motion(text, name); }},
-            {"grid", [=](const std::string &text) { grid_of(text, name); }},
-            {"report", [=](const std::string &text) { read_report_json(text, name); }},
-            {"case", [=](const std::string &text) { parse_stability_case(text, name, {}, assets); }},
-            {"lesson", [=](const std::string &text) { parse_lesson(text, name, {}, assets, words); }},
-            {"exercise", [=](const std::string &text) { parse_exercise(text, name, {}, assets, words); }},
-            {"words", [=](const std::string &text) { Words("en", text, name); }}};
-}
 
 /// Of a text that begins as a sidecar does, which some readers look for.
 std::string within(const std::string &value) { return R"({"scene": {}, "techniques": [], "rows": )" + value + "}"; }
@@ -62,9 +31,9 @@ TEST(EveryJson, IsBoundedInDepthCountAndSize) {
         {within("[" + repeated("{},", most_json_values) + "{}]"), "a.json: expected at most 1000000 values, got more"},
         {within(R"({"b": 1, "b": 2})"), "a.json: rows.b: this key is given twice"},
         {within("[") + std::string(largest_json, ' '), "a.json: the file is larger than 16 MiB"}};
-    for (const JsonReader &reader : readers()) {
+    for (const JsonReader &reader : json_readers()) {
         for (const auto &[text, said] : wrong) {
-            EXPECT_EQ(error_of([&] { reader.read(text); }), said) << reader.name;
+            EXPECT_EQ(error_of([&, &hostile = text] { reader.read(hostile); }), said) << reader.name;
         }
     }
 }
@@ -81,7 +50,7 @@ TEST(EveryJson, RefusesManyOfAKindInAFewWords) {
                                  "{\"views\":[" + views + "]}",
                                  within("{\"k\":\"" + std::string(1000000, 'k') + "\"}"),
                                  "{\"" + std::string(1000000, 'k') + "\":0}"};
-    for (const JsonReader &reader : readers()) {
+    for (const JsonReader &reader : json_readers()) {
         for (const std::string &text : texts) {
             EXPECT_LT(error_of([&] { reader.read(text); }).size(), 1000U) << reader.name << text.substr(0, 60);
         }

@@ -70,7 +70,7 @@ void draw_hairline(ByteImage &view, const glm::dvec2 &a, const glm::dvec2 &b, do
 void draw_ring(ByteImage &view, const glm::dvec2 &center, double radius, double width) {
     for (const auto &[thick, color] : {std::pair(3 * width, black), std::pair(width, white)}) {
         cover(view, center - (radius + thick), center + (radius + thick), color, 1,
-              [&](glm::dvec2 p) { return std::abs(glm::distance(p, center) - radius) - thick / 2; });
+              [&, across = thick](glm::dvec2 p) { return std::abs(glm::distance(p, center) - radius) - across / 2; });
     }
 }
 

@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fmt/format.h>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <system_error>
 
 namespace sandbox {
@@ -31,37 +33,59 @@ fs::path settings_file() {
 namespace {
 
 float panel_size(const nlohmann::json &from, const char *key, float least, float most) {
-    const float size = from.value(key, 0.0F);
-    return size == 0 ? 0 : std::clamp(size, least, most);
+    const double size = from.value(key, 0.0);
+    return size == 0 ? 0 : static_cast<float>(std::clamp<double>(size, least, most));
+}
+
+/// A step of a lesson. The library would make any number of -1 and of 1e300.
+std::size_t step_from(const nlohmann::json &from) {
+    return static_cast<std::size_t>(std::clamp(from.get<double>(), 0.0, 1e6));
+}
+
+LessonProgress progress_from(const nlohmann::json &from) {
+    LessonProgress progress;
+    progress.last = from.value("last", "");
+    progress.step = step_from(from.value("step", nlohmann::json(0)));
+    const nlohmann::json all = from.value("seen", nlohmann::json::object());
+    for (const auto &[lesson, steps] : all.items()) {
+        std::set<std::size_t> &seen = progress.seen[lesson];
+        std::ranges::transform(steps, std::inserter(seen, seen.end()), step_from);
+    }
+    return progress;
 }
 
 } // namespace
 
-Settings read_settings(const fs::path &file, std::string &message) {
+Settings parse_settings(std::string_view text, std::string_view name) {
+    const nlohmann::json from = read_json<nlohmann::json>(text, name);
     Settings settings;
+    settings.dark = from.value("dark", settings.dark);
+    settings.panels = from.value("panels", settings.panels);
+    settings.scale = std::clamp(from.value("scale", settings.scale), 0.6, 3.0);
+    settings.recent = from.value("recent", settings.recent);
+    settings.recent.resize(std::min(settings.recent.size(), most_recent));
+    const std::string language = from.value("language", settings.language);
+    settings.language = std::ranges::find(languages, language) != languages.end() ? language : "";
+    settings.panel_sizes.side_ems = panel_size(from, "side_ems", least_side_ems, most_side_ems);
+    settings.panel_sizes.bottom_share = panel_size(from, "bottom_share", least_bottom_share, most_bottom_share);
+    if (const auto lessons = from.find("lessons"); lessons != from.end()) {
+        settings.lessons = progress_from(*lessons);
+    }
+    settings.exercises = from.value("exercises", settings.exercises);
+    const auto size = from.value("window", std::array<double, 2>{static_cast<double>(settings.window.width),
+                                                                 static_cast<double>(settings.window.height)});
+    settings.window = {static_cast<int>(std::clamp<double>(size[0], least_window.width, 16384)),
+                       static_cast<int>(std::clamp<double>(size[1], least_window.height, 16384))};
+    return settings;
+}
+
+Settings read_settings(const fs::path &file, std::string &message) {
     std::error_code error;
     if (file.empty() || !fs::exists(file, error)) {
-        return settings;
+        return {};
     }
     try {
-        const nlohmann::json from = read_json<nlohmann::json>(read_file(file, largest_json), file.string());
-        settings.dark = from.value("dark", settings.dark);
-        settings.panels = from.value("panels", settings.panels);
-        settings.scale = std::clamp(from.value("scale", settings.scale), 0.6, 3.0);
-        settings.recent = from.value("recent", settings.recent);
-        const std::string language = from.value("language", settings.language);
-        settings.language = std::ranges::find(languages, language) != languages.end() ? language : "";
-        settings.panel_sizes.side_ems = panel_size(from, "side_ems", least_side_ems, most_side_ems);
-        settings.panel_sizes.bottom_share = panel_size(from, "bottom_share", least_bottom_share, most_bottom_share);
-        if (const auto lessons = from.find("lessons"); lessons != from.end()) {
-            settings.lessons = {lessons->value("last", ""), lessons->value("step", std::size_t{0}),
-                                lessons->value("seen", std::map<std::string, std::set<std::size_t>>{})};
-        }
-        settings.exercises = from.value("exercises", settings.exercises);
-        const auto size = from.value("window", std::array<double, 2>{static_cast<double>(settings.window.width),
-                                                                     static_cast<double>(settings.window.height)});
-        settings.window = {static_cast<int>(std::clamp<double>(size[0], least_window.width, 16384)),
-                           static_cast<int>(std::clamp<double>(size[1], least_window.height, 16384))};
+        return parse_settings(read_file(file, largest_json), file.string());
     } catch (const std::exception &) { // no JSON, or other values
         const fs::path aside = file.string() + ".damaged";
         fs::rename(file, aside, error);
@@ -69,16 +93,9 @@ Settings read_settings(const fs::path &file, std::string &message) {
                               (error ? file : aside).string());
         return {};
     }
-    settings.recent.resize(std::min(settings.recent.size(), most_recent));
-    return settings;
 }
 
-void write_settings(const fs::path &file, const Settings &settings) {
-    std::error_code error;
-    fs::create_directories(fs::absolute(file).parent_path(), error);
-    if (error) {
-        throw InputError("cannot make the folder {}: {}", file.parent_path().string(), error.message());
-    }
+std::string settings_text(const Settings &settings) {
     const nlohmann::ordered_json to{
         {"dark", settings.dark},
         {"panels", settings.panels},
@@ -91,7 +108,16 @@ void write_settings(const fs::path &file, const Settings &settings) {
         {"lessons",
          {{"last", settings.lessons.last}, {"step", settings.lessons.step}, {"seen", settings.lessons.seen}}},
         {"exercises", settings.exercises}};
-    write_file(file, to.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
+    return to.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+void write_settings(const fs::path &file, const Settings &settings) {
+    std::error_code error;
+    fs::create_directories(fs::absolute(file).parent_path(), error);
+    if (error) {
+        throw InputError("cannot make the folder {}: {}", file.parent_path().string(), error.message());
+    }
+    write_file(file, settings_text(settings));
 }
 
 std::string system_language() {

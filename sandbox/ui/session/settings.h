@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace sandbox {
@@ -31,6 +32,10 @@ std::filesystem::path settings_file();
 /// The settings in `file`; defaults where it is absent. A damaged one is renamed FILE.damaged, and `message` says so;
 /// numbers out of range become the nearest in range.
 Settings read_settings(const std::filesystem::path &file, std::string &message);
+/// The same of a file's text; `name` is used in messages. Throws for a damaged one.
+Settings parse_settings(std::string_view text, std::string_view name);
+/// As write_settings() writes them.
+std::string settings_text(const Settings &settings);
 /// Makes the folder if need be. Throws InputError.
 void write_settings(const std::filesystem::path &file, const Settings &settings);
 

@@ -57,6 +57,9 @@ TEST_F(SettingsTest, NumbersOutOfRangeBecomeTheNearest) {
     EXPECT_EQ(read().window, (Size{480, 16384}));
     folder.write("a/settings.json", R"({"side_ems": 1000, "bottom_share": 0.01})");
     EXPECT_EQ(read().panel_sizes, (PanelSizes{most_side_ems, least_bottom_share}));
+    folder.write("a/settings.json", R"({"lessons": {"step": -1, "seen": {"a": [1e300, -3, 2]}}})");
+    EXPECT_EQ(read().lessons.step, 0U);
+    EXPECT_EQ(read().lessons.seen, (std::map<std::string, std::set<std::size_t>>{{"a", {0, 2, 1000000}}}));
 }
 
 TEST_F(SettingsTest, TheLastFilesComeFirstAndOnce) {
