@@ -31,4 +31,7 @@ void main()
     vec4 end = gl_VertexID < 2 ? from : to;
     vec2 corner = (radius + 1.0) * (side + (gl_VertexID < 2 ? -along : along)); // a pixel more, for soft edges
     gl_Position = end + vec4(corner / picture * 2.0 * end.w, 0.0, 0.0);
+#if deep
+    gl_Position.z = 0.0; // the fragment stage writes the depth
+#endif
 }

@@ -176,7 +176,7 @@ void refuse_display_flags(const CaptureFlags &flags) {
                                                            {flags.labels, "--labels"},
                                                            {flags.vectors, "--vectors"},
                                                            {flags.loupe, "--loupe"},
-                                                           {flags.profile.has_value(), "--profile"},
+                                                           {flags.profile.has_value(), "--profile-at"},
                                                            {flags.masks, "--masks"}};
     const auto refuse = [](bool given, std::string_view flag) {
         if (given) {
@@ -375,7 +375,7 @@ void add_capture(CLI::App &app, CommonOptions &common, Run &run) {
                "Which pixel, as shares of a view's width and height, from its upper left corner");
     command.add_flag("--vectors", flags->vectors, "A cross at --pixel, and its N, V and every light's L and R or H");
     command.add_flag("--loupe", flags->loupe, "The neighbourhood of --pixel, magnified");
-    add_parsed(command, "--profile", "Y", flags->profile, parse_share, "A line at this share of the height");
+    add_parsed(command, "--profile-at", "Y", flags->profile, parse_share, "A line at this share of the height");
     command.option_defaults()->group("Grid");
     add_parsed(command, "--sweep", "PATH=v1,v2,...", flags->sweep, parse_sweep,
                "A labelled grid: techniques down, values of a setting across, each cell --size; at most 64 cells");

@@ -73,6 +73,12 @@ void add_common_options(CLI::App &command, CommonOptions &common) {
         }
         return std::filesystem::path(path);
     };
+    const auto parse_profile = [](const std::string &name) {
+        if (name != "core" && name != "es") {
+            throw InputError("expected core or es, got '{}'", name);
+        }
+        return name == "es" ? Profile::es : Profile::core;
+    };
     command.option_defaults()->group("Common options");
     command
         .add_option_function<std::vector<std::string>>(
@@ -83,6 +89,9 @@ void add_common_options(CLI::App &command, CommonOptions &common) {
     add_parsed(command, "--assets", "DIR", common.assets, parse_folder,
                "Read scenes, lessons, textures and models from this folder");
     add_choice(command, "--backend", {"egl", "glfw"}, common.backend, "How to reach OpenGL without a window [egl]");
+    add_parsed(command, "--profile", "core|es", common.profile, parse_profile,
+               fmt::format("OpenGL 3.3 core, or ES 3.0 as browsers have it [{}]",
+                           default_profile == Profile::es ? "es" : "core"));
     command.add_flag("-v", common.verbose, "Report the renderer, programs built and times on standard error");
     const std::string footer = command.get_footer();
     command.footer(footer + (footer.empty() ? "" : "\n") +

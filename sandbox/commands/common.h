@@ -4,6 +4,7 @@
 #include "image/error.h"
 #include "image/image.h"
 #include "image/picture_size.h"
+#include "render/context.h"
 #include "scene/assets.h"
 #include "scene/resources.h"
 #include "scene/scene.h"
@@ -23,6 +24,7 @@ struct CommonOptions {
     std::filesystem::path shaders;     ///< --shaders DIR; empty: the copies inside the executable
     std::filesystem::path assets;      ///< --assets DIR
     std::string backend = "egl";       ///< or "glfw"
+    Profile profile = default_profile; ///< --profile core|es
     bool verbose = false;
 };
 

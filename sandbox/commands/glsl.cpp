@@ -60,7 +60,10 @@ int run_glsl(const GlslFlags &flags, const CommonOptions &common) {
     const std::vector<ObjectResources> resources = Resources(scene_assets(common)).load(scene);
     const std::vector<PreparedObject> objects = prepare_objects(scene, technique, resources);
     require_drawable(objects[chosen].features, scene.objects[chosen]);
-    const ProgramSource program = assemble(objects[chosen].program, ShaderParts(shader_assets(common)));
+    ProgramSource program = assemble(objects[chosen].program, ShaderParts(shader_assets(common)));
+    if (common.profile == Profile::es) {
+        program = {in_es(std::move(program.vertex)), in_es(std::move(program.fragment))};
+    }
     note_other_programs(scene, objects, chosen);
     note_no_effect(scene, technique);
     if (flags.stage.empty()) {

@@ -15,10 +15,10 @@ class DrawingSession {
     /// Own shading is not trusted to share a process with the work; where its run time is the result, it must.
     enum class Own { drawn_apart, drawn_here };
 
-    /// Throws MachineError where there is no OpenGL 3.3.
+    /// Throws MachineError where there is no OpenGL of the profile.
     explicit DrawingSession(const CommonOptions &common, Own own = Own::drawn_apart, OwnLimits limits = {})
-        : own_(own_server_command(scene_assets(common), shader_assets(common), common.backend), limits),
-          context_(Context::headless(common.backend == "glfw" ? Backend::glfw : Backend::egl)),
+        : own_(own_server_command(scene_assets(common), shader_assets(common), common.profile, common.backend), limits),
+          context_(Context::headless(common.backend == "glfw" ? Backend::glfw : Backend::egl, common.profile)),
           renderer_(scene_assets(common), ShaderParts(shader_assets(common))) {
         if (own == Own::drawn_apart) {
             renderer_.draw_own_by(drawn_by(own_));

@@ -72,6 +72,7 @@ int run_view(const ViewFlags &flags, const CommonOptions &common) {
         options.file.right = techniques.right(flags.right);
     }
     techniques.require_all_used();
+    options.profile = common.profile;
     options.size = flags.size;
     options.run_times = !flags.no_times;
     options.settings_file = !flags.settings.empty() ? flags.settings : flags.script.empty() ? settings_file() : "";

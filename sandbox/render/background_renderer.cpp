@@ -12,7 +12,7 @@ namespace sandbox {
 
 BackgroundRenderer::BackgroundRenderer(const Context &window, Assets assets, Assets shaders)
     : window_(window), assets_(std::move(assets)), shaders_(std::move(shaders)),
-      own_(own_server_command(assets_, shaders_)) {}
+      own_(own_server_command(assets_, shaders_, current_profile())) {}
 
 BackgroundRenderer::~BackgroundRenderer() {
     try {

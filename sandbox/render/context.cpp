@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <iostream>
+#include <vector>
 
 namespace sandbox {
 namespace {
@@ -27,7 +29,7 @@ void GLAD_API_PTR print_message(GLenum, GLenum type, GLuint, GLenum, GLsizei, co
 }
 
 void listen_to_debug_messages() {
-    if (GLAD_GL_KHR_debug != 0) {
+    if (GLAD_GL_KHR_debug != 0 && !is_es()) { // ES calls the functions otherwise
         glEnable(GL_DEBUG_OUTPUT);
         glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
         glDebugMessageCallback(print_message, nullptr);
@@ -37,16 +39,26 @@ void listen_to_debug_messages() {
 
 } // namespace
 
-std::unique_ptr<Context> Context::headless(Backend backend) {
-    return backend == Backend::egl ? make_egl_context() : make_hidden_window_context();
+std::string_view name_of(Profile profile) { return profile == Profile::es ? "OpenGL ES 3.0" : "OpenGL 3.3"; }
+
+Profile current_profile() { return is_es() ? Profile::es : Profile::core; }
+
+std::unique_ptr<Context> Context::headless(Backend backend, Profile profile) {
+    return backend == Backend::egl ? make_egl_context(profile) : make_hidden_window_context(profile);
 }
 
-void Context::load_functions(void (*(*get_proc_address)(const char *))()) {
-    const int version = gladLoadGL(get_proc_address);
-    if (version < GLAD_MAKE_VERSION(3, 3)) {
-        throw MachineError("OpenGL 3.3 is needed, found {}: {}",
+void Context::load_functions(Profile profile, void (*(*get_proc_address)(const char *))()) {
+    const bool es = profile == Profile::es;
+    const int version = es ? gladLoadGLES2(get_proc_address) : gladLoadGL(get_proc_address);
+    if (version < (es ? GLAD_MAKE_VERSION(3, 0) : GLAD_MAKE_VERSION(3, 3))) {
+        throw MachineError("{} is needed, found {}: {}", name_of(profile),
                            version == 0 ? "none" : gl_string(GL_VERSION) + " by " + gl_string(GL_RENDERER),
                            opengl_install_hint);
+    }
+    for (const char *extension : {"GL_EXT_color_buffer_float", "GL_OES_texture_float_linear"}) {
+        if (es && !has_gl_extension(extension)) {
+            throw MachineError("this OpenGL ES lacks {}, without which light cannot be kept as float32", extension);
+        }
     }
 #ifndef NDEBUG
     listen_to_debug_messages();
@@ -73,16 +85,17 @@ void begin_window_surface(unsigned framebuffer, Size size, const glm::vec3 &back
 
 ByteImage read_window_surface(unsigned framebuffer, Size size) {
     ByteImage image{size, {}};
-    const std::size_t row = 3 * static_cast<std::size_t>(size.width);
-    image.rgb.resize(row * static_cast<std::size_t>(size.height));
+    const auto width = static_cast<std::size_t>(size.width);
+    std::vector<std::array<std::uint8_t, 4>> row(width); // ES reads all four or none
+    image.rgb.reserve(3 * width * static_cast<std::size_t>(size.height));
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
     glReadBuffer(framebuffer == 0 ? GL_BACK : GL_COLOR_ATTACHMENT0);
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
     for (int y = 0; y < size.height; ++y) {
-        glReadPixels(0, size.height - 1 - y, size.width, 1, GL_RGB, GL_UNSIGNED_BYTE,
-                     image.rgb.data() + row * static_cast<std::size_t>(y));
+        glReadPixels(0, size.height - 1 - y, size.width, 1, GL_RGBA, GL_UNSIGNED_BYTE, row.data());
+        for (const auto &pixel : row) {
+            image.rgb.insert(image.rgb.end(), pixel.begin(), pixel.begin() + 3);
+        }
     }
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
     check_gl("read the window back");
     return image;
 }

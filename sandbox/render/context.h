@@ -12,6 +12,18 @@ namespace sandbox {
 
 enum class Backend { egl, glfw };
 
+/// Which OpenGL: 3.3 core, or ES 3.0 as browsers and phones have it. One a process: both share their functions' names.
+enum class Profile { core, es };
+#ifdef SANDBOX_ES
+constexpr Profile default_profile = Profile::es;
+#else
+constexpr Profile default_profile = Profile::core;
+#endif
+/// "OpenGL 3.3", "OpenGL ES 3.0".
+std::string_view name_of(Profile profile);
+/// Of the context whose functions are loaded.
+Profile current_profile();
+
 /// A second OpenGL context for one more thread; the functions are those that the first one loaded.
 class WorkerContext {
   public:
@@ -37,12 +49,12 @@ class WorkerContext {
     virtual void release() const = 0;
 };
 
-/// A current OpenGL 3.3 core context with its functions loaded. One at a time per thread.
+/// A current OpenGL context of a profile with its functions loaded. One at a time per thread.
 class Context {
   public:
     /// Without a visible window: through EGL, or in a hidden GLFW window. Throws MachineError saying what was found and
     /// what to install.
-    static std::unique_ptr<Context> headless(Backend backend = Backend::egl);
+    static std::unique_ptr<Context> headless(Backend backend = Backend::egl, Profile profile = default_profile);
 
     virtual ~Context() = default;
     Context(const Context &) = delete;
@@ -61,8 +73,8 @@ class Context {
 
   protected:
     Context() = default;
-    /// Loads the functions of the current context. Throws MachineError below OpenGL 3.3.
-    static void load_functions(void (*(*get_proc_address)(const char *))());
+    /// Loads the functions of the current context. Throws MachineError below what the profile asks for.
+    static void load_functions(Profile profile, void (*(*get_proc_address)(const char *))());
 };
 
 /// Binds the window's framebuffer (0: its own), all of it, and clears it to `background` as displayed, [0, 1]: before a

@@ -5,6 +5,9 @@
 
 #include <glad/gl.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace sandbox {
 namespace {
 
@@ -42,6 +45,12 @@ unsigned DisplayPass::run(const Target &from, DisplayTexture &to, const DisplayM
     program.set("exposure", static_cast<float>(map.exposure));
     bind_picture(0, from);
     glClearBufferfv(GL_COLOR, 0, magenta);
+    if (is_es()) { // which counts no samples
+        cover(empty_);
+        return static_cast<unsigned>(std::ranges::count_if(from.read_color().pixels, [](const glm::vec4 &pixel) {
+            return !std::isfinite(pixel.r) || !std::isfinite(pixel.g) || !std::isfinite(pixel.b);
+        }));
+    }
     glBeginQuery(GL_SAMPLES_PASSED, finite_pixels_.id());
     cover(empty_);
     glEndQuery(GL_SAMPLES_PASSED);

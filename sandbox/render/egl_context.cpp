@@ -45,15 +45,19 @@ std::vector<EGLDisplay> candidate_displays() {
 constexpr std::array<EGLint, 7> core_3_3{
     EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
     EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+constexpr std::array<EGLint, 5> es_3_0{EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 0, EGL_NONE};
+const EGLint *attributes_of(Profile profile) { return profile == Profile::es ? es_3_0.data() : core_3_3.data(); }
 
 /// An initialised display, and how contexts on it are configured.
 class OpenDisplay {
   public:
-    explicit OpenDisplay(EGLDisplay handle) : handle_(handle) {
+    OpenDisplay(EGLDisplay handle, Profile profile)
+        : handle_(handle), profile_(profile), api_(profile == Profile::es ? EGL_OPENGL_ES_API : EGL_OPENGL_API) {
         initialised_ = handle_ != EGL_NO_DISPLAY && eglInitialize(handle_, nullptr, nullptr) == EGL_TRUE;
-        constexpr std::array<EGLint, 5> wanted{EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, 0, EGL_NONE};
+        const EGLint kind = profile == Profile::es ? EGL_OPENGL_ES3_BIT : EGL_OPENGL_BIT;
+        const std::array<EGLint, 5> wanted{EGL_RENDERABLE_TYPE, kind, EGL_SURFACE_TYPE, 0, EGL_NONE};
         EGLint count = 0;
-        usable_ = initialised_ && eglBindAPI(EGL_OPENGL_API) == EGL_TRUE &&
+        usable_ = initialised_ && eglBindAPI(api_) == EGL_TRUE &&
                   eglChooseConfig(handle_, wanted.data(), &config_, 1, &count) == EGL_TRUE && count > 0;
     }
     ~OpenDisplay() {
@@ -66,6 +70,7 @@ class OpenDisplay {
 
     /// False where it cannot draw OpenGL.
     [[nodiscard]] bool usable() const { return usable_; }
+    [[nodiscard]] Profile profile() const { return profile_; }
     /// EGL_NO_CONTEXT if it refuses.
     [[nodiscard]] EGLContext create_context(const EGLint *attributes) const {
         return eglCreateContext(handle_, config_, EGL_NO_CONTEXT, attributes);
@@ -73,12 +78,14 @@ class OpenDisplay {
     void destroy_context(EGLContext context) const { eglDestroyContext(handle_, context); }
     /// EGL_NO_CONTEXT: none. False if it refuses.
     [[nodiscard]] bool make_current(EGLContext context) const {
-        eglBindAPI(EGL_OPENGL_API); // of this thread
+        eglBindAPI(api_); // of this thread
         return eglMakeCurrent(handle_, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_TRUE;
     }
 
   private:
     EGLDisplay handle_;
+    Profile profile_;
+    EGLenum api_;
     EGLConfig config_ = nullptr;
     bool initialised_ = false, usable_ = false;
 };
@@ -87,7 +94,7 @@ class EglWorker final : public WorkerContext {
   public:
     /// Throws MachineError.
     explicit EglWorker(std::shared_ptr<const OpenDisplay> display)
-        : display_(std::move(display)), context_(display_->create_context(core_3_3.data())) {
+        : display_(std::move(display)), context_(display_->create_context(attributes_of(display_->profile()))) {
         if (context_ == EGL_NO_CONTEXT) {
             throw MachineError("there can be no second OpenGL context (EGL error {:#06x})", eglGetError());
         }
@@ -111,7 +118,7 @@ class EglWorker final : public WorkerContext {
 /// A display, and a context on it that is current without a surface.
 class EglContext final : public Context {
   public:
-    explicit EglContext(EGLDisplay display) : display_(std::make_shared<OpenDisplay>(display)) {}
+    EglContext(EGLDisplay display, Profile profile) : display_(std::make_shared<OpenDisplay>(display, profile)) {}
     ~EglContext() override {
         if (context_ != EGL_NO_CONTEXT) {
             static_cast<void>(display_->make_current(EGL_NO_CONTEXT));
@@ -121,14 +128,14 @@ class EglContext final : public Context {
     EglContext(const EglContext &) = delete;
     EglContext &operator=(const EglContext &) = delete;
 
-    /// Makes an OpenGL 3.3 core context current. False where this display has none; then `found` says which version it
+    /// Makes a context of the profile current. False where this display has none; then `found` says which version it
     /// has instead, unless an earlier display has said that already.
     bool start(std::string &found) {
         if (!display_->usable()) {
             return false;
         }
-        if (make_with(core_3_3.data())) {
-            load_functions(eglGetProcAddress);
+        if (make_with(attributes_of(display_->profile()))) {
+            load_functions(display_->profile(), eglGetProcAddress);
             return true;
         }
         if (found.empty() && make_with(nullptr)) {
@@ -171,15 +178,15 @@ class EglContext final : public Context {
 
 } // namespace
 
-std::unique_ptr<Context> make_egl_context() {
+std::unique_ptr<Context> make_egl_context(Profile profile) {
     std::string found;
     for (const EGLDisplay display : candidate_displays()) {
-        auto context = std::make_unique<EglContext>(display);
+        auto context = std::make_unique<EglContext>(display, profile);
         if (context->start(found)) {
             return context;
         }
     }
-    throw MachineError("OpenGL 3.3 is needed, found {}: {}", found.empty() ? "no OpenGL through EGL" : found,
+    throw MachineError("{} is needed, found {}: {}", name_of(profile), found.empty() ? "no OpenGL through EGL" : found,
                        opengl_install_hint);
 }
 
@@ -189,7 +196,7 @@ std::unique_ptr<WorkerContext> make_software_worker(const std::string &renderer)
         if (candidate == current) {
             continue;
         }
-        const auto display = std::make_shared<const OpenDisplay>(candidate);
+        const auto display = std::make_shared<const OpenDisplay>(candidate, current_profile());
         if (!display->usable()) {
             continue;
         }

@@ -1,5 +1,7 @@
 #include "render/frame_clock.h"
 
+#include "render/gl_state.h"
+
 #include <chrono>
 #include <glad/gl.h>
 
@@ -52,7 +54,7 @@ bool clocks_agree(double gpu_milliseconds, double wall_milliseconds) {
 }
 
 FrameClock::FrameClock(bool software, const std::function<void()> &frame) {
-    if (software) {
+    if (software || is_es()) { // ES has no timer
         return;
     }
     Query timer = make_query();

@@ -1,9 +1,10 @@
 #include "render/gl_program.h"
 
+#include "render/gl_state.h"
+
 #include <fmt/format.h>
 #include <glad/gl.h>
 
-#include <cstring>
 #include <vector>
 
 namespace sandbox {
@@ -59,41 +60,18 @@ std::map<std::string, int, std::less<>> active_uniforms(unsigned program) {
     return result;
 }
 
-bool can_compile_es() {
-    GLint count = 0;
-    glGetIntegerv(GL_NUM_EXTENSIONS, &count);
-    for (GLint i = 0; i < count; ++i) {
-        const GLubyte *name = glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
-        if (std::strcmp(reinterpret_cast<const char *>(name), "GL_ARB_ES3_compatibility") == 0) {
-            return true;
-        }
-    }
-    return false;
-}
-
-/// The first two lines, of which the second is blank, in the other language: lines keep their numbers.
-StageSource as_es(StageSource source) {
-    constexpr std::string_view core = "#version 330 core\n\n";
-    if (!source.text.starts_with(core)) {
-        throw std::logic_error("a stage begins with its version and a blank line");
-    }
-    source.text.replace(0, core.size(),
-                        "#version 300 es\nprecision highp float; precision highp int; precision highp sampler2D;\n");
-    return source;
-}
-
 } // namespace
 
 void require_es(const ProgramSource &source) {
-    if (can_compile_es()) {
-        compile(GL_VERTEX_SHADER, as_es(source.vertex));
-        compile(GL_FRAGMENT_SHADER, as_es(source.fragment));
+    if (!is_es() && has_gl_extension("GL_ARB_ES3_compatibility")) {
+        compile(GL_VERTEX_SHADER, in_es(source.vertex));
+        compile(GL_FRAGMENT_SHADER, in_es(source.fragment));
     }
 }
 
 GlProgram::GlProgram(const ProgramSource &source) : program_(make_program()) {
-    const ShaderObject vertex = compile(GL_VERTEX_SHADER, source.vertex);
-    const ShaderObject fragment = compile(GL_FRAGMENT_SHADER, source.fragment);
+    const ShaderObject vertex = compile(GL_VERTEX_SHADER, is_es() ? in_es(source.vertex) : source.vertex);
+    const ShaderObject fragment = compile(GL_FRAGMENT_SHADER, is_es() ? in_es(source.fragment) : source.fragment);
     glAttachShader(id(), vertex.id());
     glAttachShader(id(), fragment.id());
     glLinkProgram(id());

@@ -12,11 +12,7 @@ void set_defaults() {
     glDisable(GL_BLEND);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_DEPTH_TEST);
-    glDisable(GL_DEPTH_CLAMP);
     glDisable(GL_CULL_FACE);
-    glDisable(GL_POLYGON_OFFSET_LINE);
-    glPolygonOffset(0, 0);
-    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glFrontFace(GL_CCW);
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
@@ -37,6 +33,24 @@ PassState::PassState(unsigned framebuffer, Size size, DepthTest depth_test) {
 }
 
 PassState::~PassState() { set_defaults(); }
+
+bool is_es() { return GLAD_GL_ES_VERSION_3_0 != 0; }
+
+void forget_gl_errors() {
+    while (glGetError() != GL_NO_ERROR) {
+    }
+}
+
+bool has_gl_extension(std::string_view name) {
+    GLint count = 0;
+    glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+    for (GLint i = 0; i < count; ++i) {
+        if (name == reinterpret_cast<const char *>(glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)))) {
+            return true;
+        }
+    }
+    return false;
+}
 
 void check_gl(std::string_view action) {
     const GLenum error = glGetError();

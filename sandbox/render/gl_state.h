@@ -9,8 +9,8 @@ namespace sandbox {
 enum class DepthTest { on, off };
 
 /// The OpenGL state of one pass into a framebuffer: all of it, no blending, no scissor, no culling. A pass may change
-/// blending, depth function and mask, culling, winding, depth clamp, polygon mode and offset. At the end of the scope
-/// all of these are OpenGL's defaults again, also when something throws; nothing is asked of the driver, which would
+/// blending, depth function and mask, culling and winding. At the end of the scope all of these are OpenGL's defaults
+/// again, also when something throws; nothing is asked of the driver, which would
 /// wait for it.
 class PassState {
   public:
@@ -20,6 +20,12 @@ class PassState {
     PassState(const PassState &) = delete;
     PassState &operator=(const PassState &) = delete;
 };
+
+/// Whether the current context is OpenGL ES.
+bool is_es();
+/// What OpenGL has reported up to here is nobody's fault.
+void forget_gl_errors();
+bool has_gl_extension(std::string_view name);
 
 /// Throws MachineError "OpenGL cannot `action`: out of memory" if OpenGL has reported an error since it was last asked.
 /// Waits for the driver: for what is made and uploaded, not for every draw.

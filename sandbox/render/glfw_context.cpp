@@ -39,9 +39,9 @@ class WindowWorker final : public WorkerContext {
 
 class WindowContext : public Context {
   public:
-    explicit WindowContext(GLFWwindow *window) : window_(window) {
+    WindowContext(GLFWwindow *window, Profile profile) : window_(window) {
         use_context(window);
-        load_functions(glfwGetProcAddress);
+        load_functions(profile, glfwGetProcAddress);
     }
     void make_current() const override { use_context(window_); }
     [[nodiscard]] std::unique_ptr<WorkerContext> make_worker() const override {
@@ -56,19 +56,17 @@ class WindowContext : public Context {
 
 class HiddenWindow {
   public:
-    HiddenWindow() {
+    explicit HiddenWindow(Profile profile) {
         if (glfwInit() != GLFW_TRUE) {
             throw MachineError("--backend glfw needs a display server, found none: set DISPLAY, or use --backend egl");
         }
-        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-        glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+        set_context_hints(profile);
         glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
         window_ = glfwCreateWindow(16, 16, "shading-sandbox", nullptr, nullptr);
         if (window_ == nullptr) {
             const std::string found = glfw_error();
             glfwTerminate();
-            throw MachineError("OpenGL 3.3 is needed, GLFW found: {}; {}", found, opengl_install_hint);
+            throw MachineError("{} is needed, GLFW found: {}; {}", name_of(profile), found, opengl_install_hint);
         }
     }
     ~HiddenWindow() {
@@ -85,13 +83,28 @@ class HiddenWindow {
 
 class HiddenWindowContext final : private HiddenWindow, public WindowContext {
   public:
-    HiddenWindowContext() : WindowContext(HiddenWindow::get()) {}
+    explicit HiddenWindowContext(Profile profile)
+        : HiddenWindow(profile), WindowContext(HiddenWindow::get(), profile) {}
 };
 
 } // namespace
 
-std::unique_ptr<Context> make_hidden_window_context() { return std::make_unique<HiddenWindowContext>(); }
-std::unique_ptr<Context> make_window_context(GLFWwindow *window) { return std::make_unique<WindowContext>(window); }
+std::unique_ptr<Context> make_hidden_window_context(Profile profile) {
+    return std::make_unique<HiddenWindowContext>(profile);
+}
+
+void set_context_hints(Profile profile) {
+    const bool es = profile == Profile::es;
+    glfwWindowHint(GLFW_CLIENT_API, es ? GLFW_OPENGL_ES_API : GLFW_OPENGL_API);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, es ? 0 : 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, es ? GLFW_OPENGL_ANY_PROFILE : GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, es ? GLFW_FALSE : GLFW_TRUE);
+}
+
+std::unique_ptr<Context> make_window_context(GLFWwindow *window, Profile profile) {
+    return std::make_unique<WindowContext>(window, profile);
+}
 
 std::string glfw_error() {
     const char *reason = nullptr;

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <glad/gl.h>
 
+#include <algorithm>
+#include <array>
 #include <type_traits>
 #include <vector>
 
@@ -86,6 +88,27 @@ void MeshBuffers::draw(const VertexAttributes &attributes) {
     } else {
         glDrawElements(GL_TRIANGLES, corners, GL_UNSIGNED_INT, nullptr);
     }
+    glBindVertexArray(0);
+}
+
+void MeshBuffers::draw_edges() {
+    if (!edges_) {
+        std::vector<std::array<unsigned, 2>> edges;
+        edges.reserve(3 * mesh_->triangles.size());
+        for (const glm::uvec3 &triangle : mesh_->triangles) {
+            for (int corner = 0; corner < 3; ++corner) {
+                const auto [first, second] = std::minmax(triangle[corner], triangle[(corner + 1) % 3]);
+                edges.push_back({first, second});
+            }
+        }
+        std::ranges::sort(edges);
+        edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+        Edges made{make_array({}), {}, static_cast<int>(2 * edges.size())};
+        made.indices = make_filled(GL_ELEMENT_ARRAY_BUFFER, edges); // of the array, in place of the triangles
+        edges_ = std::move(made);
+    }
+    glBindVertexArray(edges_->array.id());
+    glDrawElements(GL_LINES, edges_->count, GL_UNSIGNED_INT, nullptr);
     glBindVertexArray(0);
 }
 

@@ -8,6 +8,7 @@
 #include <deque>
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace sandbox {
@@ -23,6 +24,8 @@ class MeshBuffers {
     [[nodiscard]] bool unused() const { return given_.use_count() <= (mesh_ == given_ ? 3 : 2); }
     /// Draws all triangles with the program and framebuffer in use.
     void draw(const VertexAttributes &attributes);
+    /// Each edge of a triangle once, as a line.
+    void draw_edges();
     /// What is marked of the mesh as given: see marked_vertices() and thinned_out().
     const std::vector<MarkedVertex> &marked(bool flat, const glm::dvec3 &scale, double apart);
 
@@ -35,6 +38,12 @@ class MeshBuffers {
     std::shared_ptr<const Mesh> given_, mesh_; ///< mesh_: as stored
     glm::dvec3 origin_;
     Arrangement shared_, flat_;
+    struct Edges {
+        VertexArray array;
+        Buffer indices;
+        int count = 0;
+    };
+    std::optional<Edges> edges_;
     std::map<VertexAttributes, VertexArray> arrays_;
     struct Marked {
         bool flat;

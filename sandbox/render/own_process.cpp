@@ -13,8 +13,10 @@
 
 namespace sandbox {
 
-std::vector<std::string> own_server_command(const Assets &assets, const Assets &shaders, std::string_view backend) {
-    std::vector<std::string> command{"/proc/self/exe", "own-server", "--backend", std::string(backend)};
+std::vector<std::string> own_server_command(const Assets &assets, const Assets &shaders, Profile profile,
+                                            std::string_view backend) {
+    std::vector<std::string> command{"/proc/self/exe",     "own-server", "--backend",
+                                     std::string(backend), "--profile",  profile == Profile::es ? "es" : "core"};
     for (const auto &[flag, files] : {std::pair("--assets", &assets), std::pair("--shaders", &shaders)}) {
         if (!files->folder().empty()) {
             command.insert(command.end(), {flag, files->folder().string()});

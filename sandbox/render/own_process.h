@@ -2,6 +2,7 @@
 
 #include "image/image.h"
 #include "render/child_process.h"
+#include "render/context.h"
 #include "scene/assets.h"
 #include "scene/scene.h"
 #include "shading/technique.h"
@@ -22,7 +23,7 @@ struct OwnLimits {
 };
 
 /// This executable, serving with the files that `assets` and `shaders` name.
-std::vector<std::string> own_server_command(const Assets &assets, const Assets &shaders,
+std::vector<std::string> own_server_command(const Assets &assets, const Assets &shaders, Profile profile,
                                             std::string_view backend = "egl");
 
 /// Draws own shading in a process of its own: whatever it does to compiler, driver and memory is done to that process,

@@ -14,7 +14,6 @@
 
 #include <glad/gl.h>
 #include <glm/gtc/type_ptr.hpp>
-#include <glm/trigonometric.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -75,14 +74,23 @@ void clear(const Scene &scene, const Canvas &canvas) {
     }
 }
 
-/// The surfaces' depth, nearer by the share of its distance that keeps a wireframe's line in front of the surface it
-/// lies on: the line's pixels lie up to half a pixel beside it, where a surface seen at up to 86 degrees from its
-/// normal is nearer by tan(86 degrees) = 14 times that.
-void put_lifted_depth(const GlProgram &program, const EyeSpace &space, const Camera &camera, int picture_height) {
-    const double half_pixel = std::tan(glm::radians(camera.fov_y_degrees) / 2) / picture_height; // at a distance of 1
-    const double lift = space.depth_per_octave * std::log2(1 + 14 * half_pixel);
-    program.set("depth_per_octave", static_cast<float>(space.depth_per_octave));
-    program.set("depth_at_1", static_cast<float>(space.depth_at_1 - lift));
+/// Where a wireframe's lines lie: nearer than the surface that they lie on, by what keeps them in front of it. A line's
+/// pixels lie up to half a pixel beside it, where a surface seen at up to 86 degrees from its normal is nearer by
+/// tan(86 degrees) = 14 times that.
+void put_lifted(const GlProgram &program, const Scene &scene, const EyeSpace &space, Size size, bool deep) {
+    const Camera &camera = scene.camera;
+    const double lift = 14 * view_height(camera, 1) / 2 / size.height; // perspective: a share of the distance
+    glm::dmat4 to_clip = model_view_projection(scene, space, aspect_of(size));
+    if (deep) {
+        to_clip = without_depth(to_clip);
+        program.set("depth_per_octave", static_cast<float>(space.depth_per_octave));
+        program.set("depth_at_1", static_cast<float>(space.depth_at_1 - space.depth_per_octave * std::log2(1 + lift)));
+    } else if (is_perspective(camera)) { // the eye's own column is what does not shrink with the distance
+        to_clip[3].z += lift * view_projection(camera, aspect_of(size))[3].z * space.scale;
+    } else {
+        to_clip[3].z -= lift * 2 / (camera.far_plane - camera.near_plane) * space.scale;
+    }
+    program.set("model_view_projection", glm::mat4(to_clip));
 }
 
 /// Skips back faces where they cannot be seen; a mirrored object's front faces run clockwise.
@@ -133,17 +141,16 @@ struct Renderer::Impl {
     struct Prepared {
         std::vector<ObjectResources> loaded;
         std::vector<PreparedObject> objects;
-        bool deep = false;
     };
     Prepared prepare(const Scene &scene, const Technique &technique, const Canvas &canvas, bool guarded) {
-        Prepared prepared{resources.load(scene), {}, false};
-        prepared.deep = is_deep(scene, prepared.loaded);
+        Prepared prepared{resources.load(scene), {}};
+        const bool deep = is_deep(scene, prepared.loaded);
         if (guarded) {
             prepared.loaded = seen_parts(scene, technique, std::move(prepared.loaded), aspect_of(canvas.size));
         }
-        prepared.objects = prepare_objects(
-            scene, technique, prepared.loaded,
-            {.object_ids = canvas.object_ids, .shown = canvas.shown, .deep = prepared.deep, .guarded = guarded});
+        prepared.objects =
+            prepare_objects(scene, technique, prepared.loaded,
+                            {.object_ids = canvas.object_ids, .shown = canvas.shown, .deep = deep, .guarded = guarded});
         return prepared;
     }
 
@@ -162,12 +169,9 @@ struct Renderer::Impl {
         if (drawn_elsewhere(technique)) {
             throw std::logic_error("own shading is drawn elsewhere");
         }
-        const auto [loaded, prepared, deep] = prepare(scene, technique, canvas, guarded);
+        const auto [loaded, prepared] = prepare(scene, technique, canvas, guarded);
         const PassState pass(canvas.framebuffer, canvas.size, DepthTest::on);
         clear(scene, canvas);
-        if (deep) {
-            glEnable(GL_DEPTH_CLAMP); // deep programs clip by near and far themselves
-        }
         for (std::size_t i = 0; i < scene.objects.size(); ++i) {
             draw_object({scene, scene.objects[i], *loaded[i].mesh, prepared[i], canvas.size,
                          static_cast<unsigned>(i + 1), canvas.shown ? canvas.shown->exposure : 1},
@@ -283,20 +287,13 @@ void Renderer::draw_wireframe(const Scene &scene, Target &target, glm::vec3 colo
     const GlProgram &program = impl_->programs.overlay("wireframe", deep);
     const PassState pass(target.framebuffer(), target.size(), DepthTest::on);
     glDepthFunc(GL_LEQUAL);
-    glEnable(GL_POLYGON_OFFSET_LINE); // no use where the program writes the depth: it lifts the lines itself
-    glPolygonOffset(-1, -4);
-    glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
     glUseProgram(program.id());
     program.set("line_color", color);
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object &object = scene.objects[i];
-        set_culling(scene.camera, object, *resources[i].mesh, aspect_of(target.size()));
         const EyeSpace space = eye_space(scene, object, *resources[i].mesh);
-        program.set("model_view_projection", glm::mat4(model_view_projection(scene, space, aspect_of(target.size()))));
-        if (deep) {
-            put_lifted_depth(program, space, scene.camera, target.size().height);
-        }
-        impl_->buffers(resources[i].mesh).draw({});
+        put_lifted(program, scene, space, target.size(), deep);
+        impl_->buffers(resources[i].mesh).draw_edges();
     }
 }
 

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 
 namespace sandbox {
 namespace {
@@ -109,7 +108,11 @@ Image Target::read_color() const {
 }
 
 std::vector<std::uint32_t> Target::read_object_ids() const {
-    return read_pixels<std::uint32_t>(GL_COLOR_ATTACHMENT1, GL_RED_INTEGER, GL_UNSIGNED_INT);
+    // ES reads all four or none.
+    const auto pixels = read_pixels<glm::uvec4>(GL_COLOR_ATTACHMENT1, GL_RGBA_INTEGER, GL_UNSIGNED_INT);
+    std::vector<std::uint32_t> ids(pixels.size());
+    std::ranges::transform(pixels, ids.begin(), [](const glm::uvec4 &pixel) { return pixel.x; });
+    return ids;
 }
 
 Image Target::read_row(int y) const {
@@ -140,13 +143,13 @@ DisplayTexture::DisplayTexture(Size size) : size_(size) {
 }
 
 DisplayTexture::DisplayTexture(const ByteImage &picture) : DisplayTexture(picture.size) {
-    std::vector<std::array<std::uint8_t, 3>> bottom_first(picture.rgb.size() / 3);
-    std::memcpy(bottom_first.data(), picture.rgb.data(), picture.rgb.size());
+    std::vector<std::array<std::uint8_t, 4>> bottom_first(picture.rgb.size() / 3);
+    for (std::size_t i = 0; i < bottom_first.size(); ++i) { // ES takes as many channels as are stored
+        bottom_first[i] = {picture.rgb[3 * i], picture.rgb[3 * i + 1], picture.rgb[3 * i + 2], 255};
+    }
     flip_rows(bottom_first, size_);
     glBindTexture(GL_TEXTURE_2D, color_.id());
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1); // rows of three bytes a pixel
-    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size_.width, size_.height, GL_RGB, GL_UNSIGNED_BYTE, bottom_first.data());
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size_.width, size_.height, GL_RGBA, GL_UNSIGNED_BYTE, bottom_first.data());
     check_gl("store a picture to show");
 }
 

@@ -93,7 +93,8 @@ void upload_uniforms(const GlProgram &program, const ObjectDraw &draw) {
     const Material &material = draw.object.material;
     const PreparedObject &prepared = draw.prepared;
     const EyeSpace &space = prepared.space;
-    uploader.put("model_view_projection", glm::mat4(model_view_projection(scene, space, draw.aspect())));
+    const glm::dmat4 to_clip = model_view_projection(scene, space, draw.aspect());
+    uploader.put("model_view_projection", glm::mat4(prepared.program.deep ? without_depth(to_clip) : to_clip));
     uploader.put("model", glm::mat4(space.lit_model));
     put_rays(uploader, draw);
     uploader.put("depth_per_octave", static_cast<float>(space.depth_per_octave));

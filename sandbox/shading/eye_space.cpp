@@ -143,6 +143,13 @@ glm::dmat4 model_view_projection(const Scene &scene, const EyeSpace &space, doub
     return view_projection(scene.camera, aspect) * space.model;
 }
 
+glm::dmat4 without_depth(glm::dmat4 model_view_projection) {
+    for (int column = 0; column < 4; ++column) {
+        model_view_projection[column].z = 0;
+    }
+    return model_view_projection;
+}
+
 bool is_afar(const Scene &scene, const Object &object, const Mesh &mesh) {
     const auto [center, radius] = bounding_ball(object, mesh);
     return glm::length(center - scene.camera.position) > 32 * radius;

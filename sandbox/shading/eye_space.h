@@ -51,6 +51,9 @@ glm::dvec3 buffer_origin(const Mesh &mesh);
 /// clip = result * (position - origin); scaled like `space`, which cancels on division by w.
 glm::dmat4 model_view_projection(const Scene &scene, const EyeSpace &space, double aspect);
 
+/// The same for programs that write the depth themselves: all of it lies at z = 0, so that near and far cut nothing.
+glm::dmat4 without_depth(glm::dmat4 model_view_projection);
+
 /// far / near from which a float32 depth buffer no longer tells surfaces apart by z / w (its step at `far` is then a
 /// tenth of the distance): the logarithm of the distance is stored instead, by all objects or none. So far off a vertex
 /// beyond `far` loses the same digits of z, and interpolation spreads the loss over its triangle. Never of an

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <regex>
 #include <sstream>
+#include <stdexcept>
 
 namespace sandbox {
 
@@ -14,6 +15,16 @@ ProgramSource assemble(const Features &program, const ShaderParts &parts) {
     StageSource vertex = expand(parts, "vertex.glsl", values);
     choose_stage(values, program, needs, Stage::fragment);
     return {std::move(vertex), expand(parts, "fragment.glsl", values)};
+}
+
+StageSource in_es(StageSource source) {
+    constexpr std::string_view core = "#version 330 core\n\n"; // the second line is blank
+    if (!source.text.starts_with(core)) {
+        throw std::logic_error("a stage begins with its version and a blank line");
+    }
+    source.text.replace(0, core.size(),
+                        "#version 300 es\nprecision highp float; precision highp int; precision highp sampler2D;\n");
+    return source;
 }
 
 std::string map_log(const std::string &log, const StageSource &source) {

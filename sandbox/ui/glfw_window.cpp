@@ -35,11 +35,8 @@ template <class... Details> void on_anything(GLFWwindow *window, Details...) { a
 
 template <class... Details> void on_exposure(GLFWwindow *window, Details...) { arrivals_of(window).exposed = true; }
 
-void set_hints() {
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+void set_hints(Profile profile) {
+    set_context_hints(profile);
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
     glfwWindowHintString(GLFW_X11_CLASS_NAME, "shading-sandbox");
@@ -48,24 +45,24 @@ void set_hints() {
 
 } // namespace
 
-GlfwWindow::GlfwWindow(Size size) {
+GlfwWindow::GlfwWindow(Size size, Profile profile) {
     if (glfwInit() != GLFW_TRUE) {
         throw MachineError(
             "no window can be opened here (" + glfw_error() +
             "): run this in a desktop session, or use `shading-sandbox capture`, which needs no display");
     }
-    set_hints();
+    set_hints(profile);
     window_ = glfwCreateWindow(size.width, size.height, "Shading Sandbox", nullptr, nullptr);
     if (window_ == nullptr) {
         const std::string reason = glfw_error();
         glfwTerminate();
-        throw MachineError("no window with OpenGL 3.3 can be opened here (" + reason +
+        throw MachineError("no window with " + std::string(name_of(profile)) + " can be opened here (" + reason +
                            "): a newer graphics driver may help; Mesa's llvmpipe (libgl1-mesa-dri) needs no GPU");
     }
     glfwSetWindowSizeLimits(window_, least_window.width, least_window.height, GLFW_DONT_CARE, GLFW_DONT_CARE);
     glfwSetWindowUserPointer(window_, &arrivals_);
     install_callbacks(window_);
-    context_ = make_window_context(window_);
+    context_ = make_window_context(window_, profile);
 }
 
 GlfwWindow::~GlfwWindow() {

@@ -12,7 +12,7 @@ namespace sandbox {
 class GlfwWindow final : public Host {
   public:
     /// Hidden until show(). Throws MachineError, which says what to do, if there is no display or no OpenGL 3.3.
-    explicit GlfwWindow(Size size);
+    GlfwWindow(Size size, Profile profile);
     ~GlfwWindow() override;
 
     [[nodiscard]] Context &context() override { return *context_; }

@@ -1,6 +1,7 @@
 #include "ui/gui.h"
 
 #include "image/system_font.h"
+#include "render/gl_state.h"
 #include "ui/widgets/fonts.h"
 #include "ui/widgets/theme.h"
 
@@ -28,7 +29,7 @@ Gui::Gui(Host &host) : host_(host) {
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     io.ConfigInputTextCursorBlink = false; // a blinking cursor would need frames while nothing happens
     host_.begin_gui();
-    ImGui_ImplOpenGL3_Init("#version 330 core");
+    ImGui_ImplOpenGL3_Init(is_es() ? "#version 300 es" : "#version 330 core");
 }
 
 Gui::~Gui() {
@@ -99,6 +100,11 @@ bool Gui::end_frame(unsigned long pictures) {
     return true;
 }
 
-void Gui::draw() { ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData()); }
+void Gui::draw() {
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    if (is_es()) {
+        forget_gl_errors(); // the backend, as Debian builds it, asks for a polygon mode, which ES does not have
+    }
+}
 
 } // namespace sandbox

@@ -41,7 +41,7 @@ std::string script_help() {
 int run_script(const std::filesystem::path &file, const WindowOptions &options) {
     const std::string name = file.string();
     const std::vector<ScriptLine> lines = checked_lines(name);
-    ScriptedHost host(options.size.value_or(options.settings.window));
+    ScriptedHost host(options.size.value_or(options.settings.window), options.profile);
     Window window(options, host);
     ScriptPlayer player(window, host);
     for (const ScriptLine &line : lines) {

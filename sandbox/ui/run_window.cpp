@@ -27,7 +27,7 @@ void wait_for_events(const Window &window) {
 } // namespace
 
 int run_window(const WindowOptions &options) {
-    GlfwWindow host(options.size.value_or(options.settings.window));
+    GlfwWindow host(options.size.value_or(options.settings.window), options.profile);
     Window window(options, host);
     window.step();
     host.show();

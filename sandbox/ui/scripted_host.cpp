@@ -38,7 +38,9 @@ constexpr GuiKey gui_keys[] = {
 
 } // namespace
 
-ScriptedHost::ScriptedHost(Size size) : context_(Context::headless()) { surface_.emplace(size); }
+ScriptedHost::ScriptedHost(Size size, Profile profile) : context_(Context::headless(Backend::egl, profile)) {
+    surface_.emplace(size);
+}
 
 void ScriptedHost::begin_gui() {
     ImGuiIO &io = ImGui::GetIO();

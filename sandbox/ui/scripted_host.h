@@ -14,7 +14,7 @@ namespace sandbox {
 class ScriptedHost final : public Host {
   public:
     /// Throws MachineError where there is no OpenGL 3.3 through EGL.
-    explicit ScriptedHost(Size size);
+    ScriptedHost(Size size, Profile profile);
 
     [[nodiscard]] Context &context() override { return *context_; }
     void begin_gui() override;

@@ -34,6 +34,7 @@ struct WindowOptions {
     Settings settings;                   ///< as read
     std::filesystem::path settings_file; ///< empty: nothing is kept
     std::string message;                 ///< in the status line, first
+    Profile profile = default_profile;   ///< of what the window stands on
     bool run_times = true;
     std::string language; ///< of languages; empty: as the settings say
 };

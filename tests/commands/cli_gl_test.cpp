@@ -47,7 +47,7 @@ TEST_F(CliGl, ASidecarMakesThePictureAgainBitForBit) {
         {"wipe.png", with({"--layout", "wipe"})},
         {"difference.png", with({"--layout", "difference", "--gain", "3.3", "--labels"})},
         {"of-truth.png", with({"--layout", "difference", "--difference-of", "b-reference"})},
-        {"marks.png", with({"--pixel", "0.4,0.6", "--vectors", "--loupe", "--profile", "0.3", "--labels"})},
+        {"marks.png", with({"--pixel", "0.4,0.6", "--vectors", "--loupe", "--profile-at", "0.3", "--labels"})},
         {"lines.png", with({"--layout", "three-up", "--wireframe", "--labels"})},
         {"overlays.png", with({"--normals", "--vertices", "--lights", "--labels"})},
         {"samples.png", with({"--layout", "three-up", "--samples", "4"})},
@@ -113,7 +113,7 @@ TEST_F(CliGl, TurntableFramesAreNumberedAndHaveOneSidecar) {
 TEST_F(CliGl, MarksAreDrawnOrRefused) {
     ASSERT_EQ(capture("plain.png").exit_code, 0);
     const std::vector<Arguments> marks{
-        {"--profile", "0.5"}, {"--pixel", "0.5,0.5", "--vectors"}, {"--pixel", "0.5,0.5", "--loupe"}};
+        {"--profile-at", "0.5"}, {"--pixel", "0.5,0.5", "--vectors"}, {"--pixel", "0.5,0.5", "--loupe"}};
     for (const Arguments &flags : marks) {
         EXPECT_EQ(capture("marked.png", flags).exit_code, 0);
         EXPECT_FALSE(same_bytes("plain.png", "marked.png")) << flags.back();
@@ -122,13 +122,13 @@ TEST_F(CliGl, MarksAreDrawnOrRefused) {
         {{"--vectors"}, "--vectors needs --pixel"},
         {{"--pixel", "0.5", "--loupe"}, "--pixel: expected a share"},
         {{"--pixel", "0.5,1.5", "--loupe"}, "--pixel: expected a share of the view from 0 to 1, got '1.5'"},
-        {{"--profile", "nan"}, "--profile: expected a share"}};
+        {{"--profile-at", "nan"}, "--profile-at: expected a share"}};
     for (const auto &[flags, why] : refused) {
         const ProcessResult wrong = capture("wrong.png", flags);
         EXPECT_EQ(wrong.exit_code, 2);
         EXPECT_NE(wrong.err.find(why), std::string::npos) << wrong.err;
     }
-    EXPECT_EQ(capture("a.pfm", {"--profile", "0.5"}).exit_code, 2);
+    EXPECT_EQ(capture("a.pfm", {"--profile-at", "0.5"}).exit_code, 2);
 }
 
 TEST_F(CliGl, AGridSweepsASettingUnderTechniques) {

@@ -22,6 +22,10 @@ ProcessResult run_sandbox(const Arguments &arguments, const std::string &setup, 
     for (const std::string &argument : arguments) {
         line += " " + quoted(argument);
     }
+    const char *profile = std::getenv("SANDBOX_TESTED_PROFILE"); // as gl_test.h
+    if (profile != nullptr && !arguments.empty() && !arguments.front().starts_with('-')) {
+        line += " --profile " + quoted(profile);
+    }
     line += " > " + quoted(folder.file("out")) + " 2> " + quoted(folder.file("err")) + " " + redirect;
     const int status = std::system(line.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, folder.read("out"), folder.read("err")};

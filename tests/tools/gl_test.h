@@ -11,6 +11,12 @@
 
 namespace sandbox {
 
+/// What SANDBOX_TESTED_PROFILE says, "core" or "es": the same tests run on both.
+inline Profile tested_profile() {
+    const char *profile = std::getenv("SANDBOX_TESTED_PROFILE");
+    return profile == nullptr ? default_profile : profile == std::string("es") ? Profile::es : Profile::core;
+}
+
 /// Base of the tests that draw: one headless context for the whole process. Without OpenGL 3.3 they are skipped, saying
 /// why; with CI=true they fail, because nobody reads what a machine skipped.
 class GlTest : public testing::Test {
@@ -39,7 +45,7 @@ class GlTest : public testing::Test {
         std::string why_not;
         Shared() {
             try {
-                context = Context::headless();
+                context = Context::headless(Backend::egl, tested_profile());
             } catch (const MachineError &error) {
                 why_not = error.what();
             }

@@ -19,7 +19,7 @@ constexpr Frequency plainest = Frequency::flat;
 } // namespace
 
 ViewPainter::ViewPainter(const Assets &assets, const Assets &shaders)
-    : own_(own_server_command(assets, shaders)), renderer_(assets, ShaderParts(shaders)),
+    : own_(own_server_command(assets, shaders, current_profile())), renderer_(assets, ShaderParts(shaders)),
       display_pass_(renderer_.parts()) {
     renderer_.draw_own_by(drawn_by(own_));
 }

@@ -1,6 +1,7 @@
 #include "ui/views/viewports.h"
 
 #include "render/blit.h"
+#include "render/gl_state.h"
 #include "ui/session/own_files.h"
 #include "ui/views/difference_scale.h"
 #include "ui/views/light_handles.h"
@@ -64,7 +65,7 @@ void blit_picture(const ImDrawList * /*list*/, const ImDrawCmd *command) {
 
 /// The part of a picture between two shares of its width.
 void draw_picture_part(const Rect &rect, unsigned texture, float from, float to) {
-    if (from == 0 && to == 1) {
+    if (from == 0 && to == 1 && !is_es()) { // ES 3.0 does not tell how large a texture is
         ImDrawList &list = *ImGui::GetWindowDrawList();
         list.PushClipRect(rect.low, rect.high);
         list.AddCallback(blit_picture, texture_id(texture));
