@@ -104,7 +104,7 @@ int main(int argc, char **argv) {
         sandbox::note(error.what());
         return bad_usage;
     } catch (const std::bad_alloc &) {
-        sandbox::note("not enough memory; try a smaller --size");
+        sandbox::note("not enough memory; try a smaller --size, smaller textures or fewer triangles");
         return machine_lacks;
     } catch (const std::exception &error) {
         sandbox::note(error.what());

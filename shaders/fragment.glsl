@@ -93,6 +93,11 @@ void main()
     vec3 base = checker_color(v_object_position);
 #elif full
     vec3 base = vec3(1.0);
+#elif reads_color && !own || reads_color && own.apart
+    vec3 base = v_color;
+#endif
+#if colored_too && !own || colored_too && own.apart
+    base *= v_color;
 #endif
 #if fragment.separate_specular
     vec3 specular = vec3(0.0);

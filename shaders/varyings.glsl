@@ -44,3 +44,6 @@ ${way} vec2 v_uv;
 #if reads_checker
 ${way} vec3 v_object_position;
 #endif
+#if reads_color
+${way} vec3 v_color;
+#endif

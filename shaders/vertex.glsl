@@ -10,6 +10,9 @@ layout(location = 2) in vec2 a_uv;
 #if reads_centroid
 layout(location = 3) in vec3 a_centroid;
 #endif
+#if reads_color
+layout(location = 4) in vec3 a_color;
+#endif
 
 #include "varyings.glsl"
 
@@ -93,5 +96,8 @@ void main()
 #endif
 #if reads_checker
     v_object_position = a_position;
+#endif
+#if reads_color
+    v_color = a_color;
 #endif
 }

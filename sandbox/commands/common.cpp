@@ -20,6 +20,7 @@
 #include <cstdio>
 #include <cstring>
 #include <fmt/format.h>
+#include <system_error>
 #include <unistd.h>
 
 namespace sandbox {
@@ -56,7 +57,8 @@ Scene open_scene(const CommonOptions &common, const std::string &name, const std
 
 std::optional<PictureOptions> sidecar_of(const std::string &scene) {
     const std::filesystem::path path(scene);
-    if (path.extension() != ".json" || !std::filesystem::is_regular_file(path)) {
+    std::error_code failed; // opening it says why
+    if (path.extension() != ".json" || !std::filesystem::is_regular_file(path, failed)) {
         return std::nullopt;
     }
     return sidecar_options(read_file(path, largest_json), scene);

@@ -2,6 +2,7 @@
 
 #include "image/error.h"
 
+#include <array>
 #include <cerrno>
 #include <cstdint>
 #include <cstdio>
@@ -10,6 +11,7 @@
 #include <memory>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <utility>
 
 namespace sandbox {
 namespace {
@@ -49,34 +51,46 @@ bool written_in_place(const fs::path &path) {
 
 } // namespace
 
-std::string read_file(const fs::path &path, std::size_t most) {
+FileReader::FileReader(fs::path path, std::size_t most)
+    : path_(std::move(path)), file_(nullptr, std::fclose), most_(most) {
     // A pipe that nobody writes to is opened all the same, and refused.
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-    const File file(descriptor < 0 ? nullptr : ::fdopen(descriptor, "rb"), std::fclose);
+    const int descriptor = ::open(path_.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    file_.reset(descriptor < 0 ? nullptr : ::fdopen(descriptor, "rb"));
     struct stat found {};
-    if (!file || ::fstat(descriptor, &found) != 0) {
-        refuse(path, "cannot read the file", errno);
+    if (!file_ || ::fstat(descriptor, &found) != 0) {
+        refuse(path_, "cannot read the file", errno);
     }
     if (S_ISDIR(found.st_mode)) {
-        refuse(path, "cannot read the file", EISDIR);
+        refuse(path_, "cannot read the file", EISDIR);
     }
     if (!S_ISREG(found.st_mode)) {
-        throw InputError("{}: expected a regular file, got {}", path.string(), kind_of(found.st_mode));
+        throw InputError("{}: expected a regular file, got {}", path_.string(), kind_of(found.st_mode));
     }
-    if (static_cast<std::uintmax_t>(found.st_size) > most) {
-        refuse_size(path, most);
+    if (static_cast<std::uintmax_t>(found.st_size) > most_) {
+        refuse_size(path_, most_);
     }
+    size_ = static_cast<std::size_t>(found.st_size);
+}
+
+std::size_t FileReader::read(std::span<char> bytes) {
+    const std::size_t count = std::fread(bytes.data(), 1, bytes.size(), file_.get());
+    taken_ += count;
+    if (taken_ > most_) { // it grew, or has no size, as in /proc
+        refuse_size(path_, most_);
+    }
+    if (std::ferror(file_.get()) != 0) {
+        refuse(path_, "cannot read the file", errno);
+    }
+    return count;
+}
+
+std::string read_file(const fs::path &path, std::size_t most) {
+    FileReader file(path, most);
     std::string bytes;
-    bytes.reserve(static_cast<std::size_t>(found.st_size));
-    char block[65536];
-    while (const std::size_t count = std::fread(block, 1, sizeof block, file.get())) {
-        bytes.append(block, count);
-        if (bytes.size() > most) { // it grew, or has no size, as in /proc
-            refuse_size(path, most);
-        }
-    }
-    if (std::ferror(file.get()) != 0) {
-        refuse(path, "cannot read the file", errno);
+    bytes.reserve(file.size());
+    std::array<char, 65536> block{};
+    while (const std::size_t count = file.read(block)) {
+        bytes.append(block.data(), count);
     }
     return bytes;
 }

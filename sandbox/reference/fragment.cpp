@@ -153,7 +153,8 @@ glm::dvec3 Fragment::object_position(const glm::dvec3 &weights) const {
 glm::dvec3 Fragment::base() const {
     const Mesh &mesh = *mesh_.mesh;
     const glm::dvec2 uv = mesh.uvs.empty() ? glm::dvec2(0) : blend(here_.weights, mesh.uvs, triangle_);
-    return mesh_.base.color_at(uv, object_position(here_.weights));
+    const glm::dvec3 color = mesh_.base.color_at(uv, object_position(here_.weights));
+    return mesh.colors.empty() ? color : color * blend(here_.weights, mesh.colors, triangle_);
 }
 
 glm::dvec3 Fragment::color() const { return compose(object_.material, base(), reflected()); }

@@ -16,7 +16,7 @@ class Fragment : public Sampler {
     [[nodiscard]] InterpolationTerms interpolation_terms() const override;
 
     [[nodiscard]] glm::dvec3 color() const;
-    /// The texture's or checker's colour here.
+    /// The texture's or checker's colour here, times that of the vertices.
     [[nodiscard]] glm::dvec3 base() const;
     /// Could the colour differ for reasons that are nobody's error?
     [[nodiscard]] PixelMasks masks() const;

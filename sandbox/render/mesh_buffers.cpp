@@ -67,6 +67,9 @@ VertexArray MeshBuffers::make_array(const VertexAttributes &attributes) {
             return glm::vec3((mesh.positions[t.x] + mesh.positions[t.y] + mesh.positions[t.z]) / 3.0 - origin_);
         });
     }
+    if (attributes.color) {
+        attach(4, buffers.colors, [&](const glm::uvec3 &, unsigned v) { return glm::vec3(mesh.colors[v]); });
+    }
     if (!flat) {
         if (buffers.indices.id() == 0) {
             buffers.indices = make_filled(GL_ELEMENT_ARRAY_BUFFER, mesh.triangles);

@@ -31,7 +31,7 @@ class MeshBuffers {
 
   private:
     struct Arrangement { ///< shared (indexed) or flat vertices
-        Buffer positions, normals, uvs, centroids, indices;
+        Buffer positions, normals, uvs, centroids, colors, indices;
     };
     VertexArray make_array(const VertexAttributes &attributes);
 

@@ -17,12 +17,13 @@ constexpr double margin = 4;  ///< what is kept, over what is seen: no cut lies 
 struct Corner {
     glm::dvec3 position, normal;
     glm::dvec2 uv{0};
+    glm::dvec3 color{1};
     glm::dvec3 seen; ///< right, up and forward from the eye
 };
 
 Corner between(const Corner &a, const Corner &b, double share) {
     return {glm::mix(a.position, b.position, share), glm::mix(a.normal, b.normal, share), glm::mix(a.uv, b.uv, share),
-            glm::mix(a.seen, b.seen, share)};
+            glm::mix(a.color, b.color, share), glm::mix(a.seen, b.seen, share)};
 }
 
 using Polygon = std::vector<Corner>;
@@ -96,6 +97,7 @@ Mesh seen_part(const NarrowView &view, const Object &object, const Mesh &mesh) {
     const glm::dvec3 offset = object.transform.translate - view.eye;
     const auto corner = [&](std::size_t i) {
         return Corner{mesh.positions[i], mesh.normals[i], mesh.uvs.empty() ? glm::dvec2(0) : mesh.uvs[i],
+                      mesh.colors.empty() ? glm::dvec3(1) : mesh.colors[i],
                       view.axes * (linear * mesh.positions[i] + offset)};
     };
     // Elsewhere the vertex stage makes normals unit, which a normal between two vertices is not.
@@ -114,6 +116,9 @@ Mesh seen_part(const NarrowView &view, const Object &object, const Mesh &mesh) {
             part.normals.push_back(kept.normal);
             if (!mesh.uvs.empty()) {
                 part.uvs.push_back(kept.uv);
+            }
+            if (!mesh.colors.empty()) {
+                part.colors.push_back(kept.color);
             }
         }
         for (unsigned i = 2; i < polygon.size(); ++i) {

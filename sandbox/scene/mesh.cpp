@@ -34,11 +34,11 @@ void summarise(Mesh &mesh) {
         mesh.triangles, [&](const glm::uvec3 &triangle) { return runs_against_normals(mesh, triangle); }));
 }
 
-std::string winding_note(const Mesh &mesh) {
-    return mesh.against_normals == 0 ? ""
-                                     : fmt::format("{} of {} triangles run clockwise as seen from the side of their "
-                                                   "normals: two_sided lights them from the wrong side",
-                                                   mesh.against_normals, mesh.triangles.size());
+std::string winding_note(std::size_t against_normals, std::size_t triangles) {
+    return against_normals == 0 ? ""
+                                : fmt::format("{} of {} triangles run clockwise as seen from the side of their "
+                                              "normals: two_sided lights them from the wrong side",
+                                              against_normals, triangles);
 }
 
 Mesh build_mesh(const Shape &shape) {

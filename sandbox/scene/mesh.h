@@ -16,11 +16,12 @@ struct Bounds {
 };
 
 /// An indexed triangle mesh in object space. `normals` are unit and as many as `positions`;
-/// `uvs` are as many as `positions`, or none. Counter-clockwise triangles face outward.
+/// `uvs` and `colors` are as many as `positions`, or none. Counter-clockwise triangles face outward.
 struct Mesh {
     std::vector<glm::dvec3> positions;
     std::vector<glm::dvec3> normals;
     std::vector<glm::dvec2> uvs;
+    std::vector<glm::dvec3> colors; ///< linear RGB, which the base colour is multiplied by
     std::vector<glm::uvec3> triangles;
     /// As a reader without guards has them, where that differs: the file's own, neither unit nor mended, or sums of
     /// face normals with those of triangles without area. As many as `positions`, or none: as `normals`.
@@ -43,8 +44,9 @@ Bounds bounds_of(const Mesh &mesh);
 /// The face's own normal, turned to the side of its vertices' mean normal; that mean where the face has no area.
 glm::dvec3 facet_normal(const Mesh &mesh, const glm::uvec3 &triangle);
 
-/// What to tell people of a mesh whose winding disagrees with its normals; empty: they agree.
-std::string winding_note(const Mesh &mesh);
+/// What to tell people of meshes, so many of whose triangles have a winding that disagrees with their normals; empty:
+/// none has.
+std::string winding_note(std::size_t against_normals, std::size_t triangles);
 
 /// Sets what every draw needs to know of a mesh. build_mesh() and read_obj() end with it.
 void summarise(Mesh &mesh);

@@ -1,43 +1,35 @@
 #include "scene/mesh_backs.h"
 
+#include "scene/index_table.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <numeric>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
 namespace sandbox {
 namespace {
 
-/// splitmix64's finish: all bits of the result depend on all bits of `x`.
-std::uint64_t mixed(std::uint64_t x) {
-    x = (x ^ x >> 30U) * 0xbf58476d1ce4e5b9U;
-    x = (x ^ x >> 27U) * 0x94d049bb133111ebU;
-    return x ^ x >> 31U;
-}
-
-struct PositionHash {
-    std::size_t operator()(const glm::dvec3 &p) const {
-        std::uint64_t hash = 0;
-        for (const double part : {p.x, p.y, p.z}) {
-            hash = mixed(hash + 0x9e3779b97f4a7c15U + std::bit_cast<std::uint64_t>(part + 0.0)); // -0 is 0
-        }
-        return hash;
+std::uint64_t hash_of(const glm::dvec3 &p) {
+    std::uint64_t hash = 0;
+    for (const double part : {p.x, p.y, p.z}) {
+        hash = mixed(hash + 0x9e3779b97f4a7c15U + std::bit_cast<std::uint64_t>(part + 0.0)); // -0 is 0
     }
-};
+    return hash;
+}
 
 /// Of each vertex the first one at its position.
 std::vector<std::uint32_t> merged_vertices(const Mesh &mesh) {
-    std::unordered_map<glm::dvec3, std::uint32_t, PositionHash> first;
-    first.reserve(mesh.positions.size());
+    const std::vector<glm::dvec3> &p = mesh.positions;
+    IndexTable first(p.size());
     std::vector<std::uint32_t> merged;
-    merged.reserve(mesh.positions.size());
-    for (const glm::dvec3 &p : mesh.positions) {
-        merged.push_back(first.try_emplace(p, static_cast<std::uint32_t>(merged.size())).first->second);
+    merged.reserve(p.size());
+    for (std::uint32_t i = 0; i < p.size(); ++i) {
+        merged.push_back(first.find_or_put(hash_of(p[i]), i, [&](std::uint32_t j) { return p[j] == p[i]; }));
     }
     return merged;
 }

@@ -1,22 +1,19 @@
 #include "scene/model_scene.h"
 
 #include "image/error.h"
-#include "image/file_io.h"
-#include "image/plain_text.h"
-#include "scene/mesh_backs.h"
+#include "scene/mesh.h"
+#include "scene/model_objects.h"
 #include "scene/obj_reader.h"
-#include "scene/scene_read.h"
 #include "scene/space.h"
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdio>
-#include <fmt/format.h>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 #include <string>
 #include <system_error>
+#include <utility>
 
 namespace sandbox {
 namespace fs = std::filesystem;
@@ -54,16 +51,6 @@ Camera camera_around(const Bounds &bounds, double aspect) {
     return camera;
 }
 
-/// Whether both sides of the triangles are to be lit, and why; empty: the fronts alone are seen. A mesh most of whose
-/// normals stand on the backs of its triangles is lit by those normals.
-std::string why_two_sided(const Mesh &mesh) {
-    const BacksSeen seen = backs_seen(mesh);
-    if (seen == BacksSeen::none || mesh.against_normals > mesh.triangles.size() / 2) {
-        return "";
-    }
-    return seen == BacksSeen::open ? "it does not enclose a volume" : "it is wound inside out";
-}
-
 } // namespace
 
 bool is_model(const fs::path &path) {
@@ -78,10 +65,12 @@ Scene scene_of_model(const fs::path &path, double aspect) {
     if (fs::status(path, failed).type() == fs::file_type::not_found) {
         throw InputError("{}: no such file", path.string());
     }
-    const Mesh mesh = read_obj(read_file(path), path.string()); // its notes are said where it is drawn
+    Object like;
+    like.name = path.stem().string();
+    ModelObjects model = objects_of_model(path, like);
     Scene scene;
-    scene.name = path.stem().string();
-    scene.camera = camera_around(mesh.bounds, aspect);
+    scene.name = like.name;
+    scene.camera = camera_around({model.low, model.high}, aspect);
     scene.background = glm::dvec3(0.02, 0.02, 0.03);
     Light key;
     key.type = LightType::directional;
@@ -95,15 +84,12 @@ Scene scene_of_model(const fs::path &path, double aspect) {
     fill.diffuse = 0.25;
     fill.specular = 0;
     scene.lights = {key, fill};
-    Object object;
-    object.name = scene.name;
-    object.mesh = ObjShape{checked_path(fs::absolute(path).lexically_normal())};
-    if (const std::string why = why_two_sided(mesh); !why.empty()) {
-        object.two_sided = true;
-        fmt::print(stderr, "note: {}: {}: both sides of its triangles are lit (two_sided)\n", plain_text(path.string()),
-                   why);
+    scene.objects = std::move(model.objects);
+    if (!model.why_two_sided.empty()) {
+        std::ranges::for_each(scene.objects, [](Object &object) { object.two_sided = true; });
+        model.notes.push_back(model.why_two_sided + ": both sides of its triangles are lit (two_sided)");
     }
-    scene.objects = {object};
+    say_notes(path.string(), model.notes);
     return scene;
 }
 

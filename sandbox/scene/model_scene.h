@@ -13,8 +13,8 @@ constexpr double unknown_aspect = 1.2;
 bool is_model(const std::filesystem::path &path);
 
 /// The OBJ file under two lights from the viewer's side. The camera shows all of it in views of `aspect` (width by
-/// height) and wider. Both sides of its triangles are lit where backs of them may be seen (two_sided; a note on stderr
-/// says why). Throws InputError.
+/// height) and wider. Each material of its libraries has an object of its own. Both sides of its triangles are lit
+/// where backs of them may be seen (two_sided; a note on stderr says why). Throws InputError.
 Scene scene_of_model(const std::filesystem::path &path, double aspect);
 
 } // namespace sandbox

@@ -53,6 +53,9 @@ class Splitter {
                 split_.file_normals.push_back(mesh_.file_normals[v]);
             }
             split_.uvs.push_back(uv);
+            if (!mesh_.colors.empty()) {
+                split_.colors.push_back(mesh_.colors[v]);
+            }
         }
         return found->second;
     }

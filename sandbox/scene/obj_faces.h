@@ -5,6 +5,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace sandbox {
@@ -27,20 +28,24 @@ using SmoothingGroup = std::uint32_t;
 constexpr SmoothingGroup unsmoothed = 0; ///< s off, s 0
 constexpr SmoothingGroup ungrouped = 1;  ///< before any s: smooth
 
+/// Of 32 bits each: a file has at most largest_file bytes, and millions of faces.
 struct ObjFace {
-    std::size_t first_corner = 0;
+    std::uint32_t first_corner = 0;
     std::uint32_t corner_count = 0;
     SmoothingGroup group = ungrouped;
-    std::size_t line = 0;
+    std::uint32_t line = 0;
+    std::uint32_t material = 0; ///< in ObjFaces::materials
 };
 
 /// What an OBJ text lists, as it stands there.
 struct ObjFaces {
     std::vector<glm::dvec3> positions;
+    std::vector<glm::dvec3> colors; ///< of each position, white where it has none of use; empty: none has one
     std::vector<glm::dvec2> uvs;
     std::vector<glm::dvec3> normals; ///< of any length; all NaN where a part is not finite
     std::vector<ObjCorner> corners;  ///< of all faces
     std::vector<ObjFace> faces;
+    std::vector<std::string> materials{""}; ///< names after usemtl; the first: before any
 
     [[nodiscard]] std::span<const ObjCorner> corners_of(const ObjFace &face) const {
         return std::span(corners).subspan(face.first_corner, face.corner_count);

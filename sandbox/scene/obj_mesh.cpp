@@ -1,13 +1,13 @@
 #include "scene/obj_mesh.h"
 
 #include "image/error.h"
+#include "scene/index_table.h"
 #include "scene/polygon.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <unordered_map>
 
 namespace sandbox {
 namespace {
@@ -20,18 +20,17 @@ glm::dvec3 unit(const glm::dvec3 &v) {
     return largest > 0 ? glm::normalize(v / largest) : glm::dvec3(0);
 }
 
-/// What vertices of the mesh differ by. `normal`: an index into the file's, or into the computed ones where marked.
-struct VertexKey {
-    std::uint32_t v = 0, vt = 0, normal = 0;
-    bool operator==(const VertexKey &) const = default;
-};
+/// What vertices of the mesh differ by: the position, the texture coordinates and `normal`, an index into the file's,
+/// or into the computed ones where marked. The corner is the first that is this vertex.
+struct Vertex {
+    ObjCorner corner;
+    std::uint32_t normal = 0;
 
-struct VertexHash {
-    std::size_t operator()(const VertexKey &key) const {
-        std::uint64_t hash = key.v; // spread by odd constants (splitmix64)
-        hash = (hash << 32U ^ key.vt) * 0xbf58476d1ce4e5b9U;
-        hash = (hash ^ hash >> 32U ^ key.normal) * 0x94d049bb133111ebU;
-        return static_cast<std::size_t>(hash ^ hash >> 32U);
+    [[nodiscard]] bool is(const Vertex &other) const {
+        return corner.v == other.corner.v && corner.vt == other.corner.vt && normal == other.normal;
+    }
+    [[nodiscard]] std::uint64_t hash() const {
+        return mixed(mixed(std::uint64_t{corner.v} << 32U | corner.vt) + normal);
     }
 };
 
@@ -54,29 +53,48 @@ struct NormalSum {
 
 class MeshBuilder {
   public:
-    explicit MeshBuilder(const ObjFaces &file) : file_(file) {}
+    explicit MeshBuilder(const ObjFaces &file) : file_(file) { add_up_normals(); }
 
-    Mesh build() {
-        add_up_normals();
+    Mesh whole() {
+        mesh_.triangles.reserve(file_.corners.size() - 2 * file_.faces.size());
         for (const ObjFace &face : file_.faces) {
             add_face(face);
         }
-        add_uvs();
+        add_vertices();
         keep_file_normals();
+        return std::move(mesh_);
+    }
+
+    /// The faces with these indices.
+    Mesh part(std::span<const std::uint32_t> faces) {
+        mesh_ = {};
+        vertices_.clear();
+        vertex_of_ = IndexTable(faces.size() / 2); // as many vertices has a closed mesh
+        std::size_t triangles = 0;
+        for (const std::uint32_t i : faces) {
+            triangles += file_.faces[i].corner_count - 2;
+        }
+        mesh_.triangles.reserve(triangles);
+        for (const std::uint32_t i : faces) {
+            add_face(file_.faces[i]);
+        }
+        add_vertices();
         return std::move(mesh_);
     }
 
   private:
     static constexpr std::uint32_t none = 0xffffffffU;
-    /// Marks VertexKey::normal.
+    /// Marks Vertex::normal.
     static constexpr std::uint32_t computed = 0x80000000U;
+    static constexpr std::uint64_t own_key = ~std::uint64_t{0};
 
     const ObjFaces &file_;
     Mesh mesh_;
-    std::unordered_map<VertexKey, std::uint32_t, VertexHash> vertex_of_;
-    std::vector<ObjCorner> vertices_;                         ///< of each vertex of the mesh
-    std::vector<NormalSum> sums_;                             ///< the computed normals
-    std::unordered_map<std::uint64_t, std::uint32_t> sum_of_; ///< by group and position
+    IndexTable vertex_of_;
+    std::vector<Vertex> vertices_; ///< of the mesh
+    IndexTable sum_of_;
+    std::vector<std::uint64_t> sum_keys_;            ///< of each sum: group and position; `own_key`: of a face
+    std::vector<NormalSum> sums_;                    ///< the computed normals
     std::vector<std::array<std::uint32_t, 3>> flat_; ///< triangles without area, which are dropped, by position
     std::vector<glm::dvec3> points_;                 ///< of the face at hand
 
@@ -90,11 +108,18 @@ class MeshBuilder {
 
     std::uint32_t sum_index(SmoothingGroup group, std::uint32_t position) {
         const std::uint64_t key = std::uint64_t{group} << 32U | position;
-        const auto [found, added] = sum_of_.try_emplace(key, static_cast<std::uint32_t>(sums_.size()));
-        if (added) {
-            sums_.emplace_back();
+        const auto next = static_cast<std::uint32_t>(sums_.size());
+        const std::uint32_t found =
+            sum_of_.find_or_put(mixed(key), next, [&](std::uint32_t i) { return sum_keys_[i] == key; });
+        if (found == next) {
+            add_sum(key);
         }
-        return found->second;
+        return found;
+    }
+
+    NormalSum &add_sum(std::uint64_t key) {
+        sum_keys_.push_back(key);
+        return sums_.emplace_back();
     }
 
     /// Every face counts, also one whose own corners have normals.
@@ -131,7 +156,7 @@ class MeshBuilder {
             }
             if (own_normal == none) {
                 own_normal = static_cast<std::uint32_t>(sums_.size());
-                sums_.emplace_back().add(area);
+                add_sum(own_key).add(area);
             }
             return computed | own_normal;
         };
@@ -160,22 +185,37 @@ class MeshBuilder {
     }
 
     std::uint32_t vertex_index(const ObjCorner &corner, std::uint32_t normal) {
+        const Vertex vertex{corner, normal};
         const auto next = static_cast<std::uint32_t>(vertices_.size());
-        const auto [found, added] = vertex_of_.try_emplace({corner.v, corner.vt, normal}, next);
-        if (added) {
-            vertices_.push_back(corner);
+        const std::uint32_t found =
+            vertex_of_.find_or_put(vertex.hash(), next, [&](std::uint32_t i) { return vertices_[i].is(vertex); });
+        if (found == next) {
+            vertices_.push_back(vertex);
+        }
+        return found;
+    }
+
+    void add_vertices() {
+        mesh_.positions.reserve(vertices_.size());
+        mesh_.normals.reserve(vertices_.size());
+        mesh_.colors.reserve(file_.colors.empty() ? 0 : vertices_.size());
+        for (const auto &[corner, normal] : vertices_) {
             mesh_.positions.push_back(file_.positions[corner.v]);
             mesh_.normals.push_back((normal & computed) != 0 ? sums_[normal & ~computed].normal()
                                                              : unit(file_.normals[normal]));
+            if (!file_.colors.empty()) {
+                mesh_.colors.push_back(file_.colors[corner.v]);
+            }
         }
-        return found->second;
+        add_uvs();
     }
 
     void add_uvs() {
-        const auto has_uv = [](const ObjCorner &corner) { return corner.vt != ObjCorner::no_index; };
+        const auto has_uv = [](const Vertex &vertex) { return vertex.corner.vt != ObjCorner::no_index; };
         if (std::ranges::any_of(vertices_, has_uv)) {
-            for (const ObjCorner &corner : vertices_) {
-                mesh_.uvs.push_back(has_uv(corner) ? file_.uvs[corner.vt] : glm::dvec2(0));
+            mesh_.uvs.reserve(vertices_.size());
+            for (const Vertex &vertex : vertices_) {
+                mesh_.uvs.push_back(has_uv(vertex) ? file_.uvs[vertex.corner.vt] : glm::dvec2(0));
             }
         }
     }
@@ -197,12 +237,12 @@ class MeshBuilder {
             }
         };
         for (const glm::uvec3 &t : mesh_.triangles) {
-            add(vertices_[t.x].v, vertices_[t.y].v, vertices_[t.z].v);
+            add(vertices_[t.x].corner.v, vertices_[t.y].corner.v, vertices_[t.z].corner.v);
         }
         for (const auto &t : flat_) {
             add(t[0], t[1], t[2]);
         }
-        for (const ObjCorner &corner : vertices_) {
+        for (const auto &[corner, normal] : vertices_) {
             const bool given = corner.vn < file_.normals.size();
             mesh_.file_normals.push_back(given ? glm::vec3(file_.normals[corner.vn]) : sums[corner.v]);
         }
@@ -215,6 +255,19 @@ bool ObjFaces::has_normal(const ObjCorner &corner) const {
     return corner.vn < normals.size() && largest_part(normals[corner.vn]) > 0;
 }
 
-Mesh mesh_of_faces(const ObjFaces &faces) { return MeshBuilder(faces).build(); }
+Mesh mesh_of_faces(const ObjFaces &faces) { return MeshBuilder(faces).whole(); }
+
+std::vector<Mesh> meshes_of_faces(const ObjFaces &file) {
+    std::vector<std::vector<std::uint32_t>> faces(file.materials.size());
+    for (std::uint32_t i = 0; i < file.faces.size(); ++i) {
+        faces[file.faces[i].material].push_back(i);
+    }
+    MeshBuilder builder(file);
+    std::vector<Mesh> meshes;
+    for (const std::vector<std::uint32_t> &own : faces) {
+        meshes.push_back(builder.part(own));
+    }
+    return meshes;
+}
 
 } // namespace sandbox

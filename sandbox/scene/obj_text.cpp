@@ -1,14 +1,31 @@
 #include "scene/obj_text.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <system_error>
 
 namespace sandbox {
 namespace {
 
-constexpr std::string_view blanks = " \t\v\f";
+constexpr std::size_t block_size = std::size_t{1} << 18; // stays in a processor's second cache
+
+constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
+constexpr bool is_line_end(char c) { return c == '\n' || c == '\r'; }
+
+/// Characters that can be nothing but a part of a word.
+constexpr std::array<bool, 256> plain_characters = [] {
+    std::array<bool, 256> out{};
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const char c = static_cast<char>(i);
+        out[i] = !is_blank(c) && !is_line_end(c) && c != '\\';
+    }
+    return out;
+}();
+constexpr bool is_plain(char c) { return plain_characters[static_cast<unsigned char>(c)]; }
 
 /// By its mark, or, without one, by the zero beside the first character, which is ASCII in every OBJ.
 bool is_utf16(std::string_view text) {
@@ -16,76 +33,175 @@ bool is_utf16(std::string_view text) {
            (text.size() >= 2 && (text[0] == '\0') != (text[1] == '\0'));
 }
 
-/// Where a line goes on in the next: at its last character but blanks; npos: it does not.
-std::size_t continuation(std::string_view line) {
-    const std::size_t last = line.find_last_not_of(blanks);
-    return last != std::string_view::npos && line[last] == '\\' ? last : std::string_view::npos;
+/// Does the line go on in the next: is nothing but blanks behind this backslash?
+bool goes_on(const char *backslash) {
+    const char *next = backslash + 1;
+    while (is_blank(*next)) {
+        ++next;
+    }
+    return is_line_end(*next);
 }
 
-/// Where a comment begins: a # within a word (a name, 1.#QNAN) begins none. npos: nowhere.
-std::size_t comment(std::string_view line) {
-    std::size_t at = line.find('#');
-    while (at != std::string_view::npos && at > 0 && blanks.find(line[at - 1]) == std::string_view::npos) {
-        at = line.find('#', at + 1);
+/// Behind the last line end; 0: there is none.
+std::size_t whole_lines(std::string_view text) {
+    if (text.ends_with('\r')) { // it may be the first half of a line end
+        text.remove_suffix(1);
     }
-    return at;
+    const std::size_t last = text.find_last_of("\r\n");
+    return last == std::string_view::npos ? 0 : last + 1;
+}
+
+/// A number in the usual notation, as std::from_chars() has it: of 15 digits, both they as one whole number and the
+/// power of ten are exact in a double, so that the division is all that rounds. Nothing: another notation, more digits.
+std::optional<double> plain_number(std::string_view word) {
+    constexpr std::array<double, 16> tens{1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                          1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+    const bool negative = word.starts_with('-');
+    word.remove_prefix(negative ? 1 : 0);
+    if (word.size() > tens.size()) { // a point among them
+        return std::nullopt;
+    }
+    std::uint64_t digits = 0;
+    std::size_t point = word.size();
+    for (std::size_t i = 0; i < word.size(); ++i) {
+        const auto digit = static_cast<unsigned>(word[i] - '0');
+        if (digit <= 9) {
+            digits = digits * 10 + digit;
+        } else if (word[i] == '.' && point == word.size()) {
+            point = i;
+        } else {
+            return std::nullopt;
+        }
+    }
+    const std::size_t count = word.size() - (point < word.size() ? 1 : 0);
+    if (count == 0 || count >= tens.size()) {
+        return std::nullopt;
+    }
+    const double value = static_cast<double>(digits) / (point < word.size() ? tens[count - point] : 1);
+    return negative ? -value : value;
 }
 
 } // namespace
 
-ObjText::ObjText(std::string_view text, std::string_view name) : text_(text), name_(name) {
+TextSource source_of(std::string_view text) {
+    return [text](std::span<char> out) mutable {
+        const std::size_t count = text.copy(out.data(), out.size());
+        text.remove_prefix(count);
+        return count;
+    };
+}
+
+ObjText::ObjText(TextSource source, std::string_view name) : source_(std::move(source)), name_(name) {
+    fill();
+    const std::string_view text(at_, static_cast<std::size_t>(end_ - at_));
     if (is_utf16(text)) {
         throw InputError("{}: expected a text in ASCII or UTF-8, got UTF-16", name);
     }
     if (constexpr std::string_view mark = "\xef\xbb\xbf"; text.starts_with(mark)) {
-        at_ = mark.size();
+        at_ += mark.size();
     }
-    next_feed_ = text_.find('\n', at_);
 }
 
-std::string_view ObjText::take_line() {
-    ++lines_taken_;
-    if (next_feed_ != std::string_view::npos && next_feed_ < at_) {
-        next_feed_ = text_.find('\n', at_);
+void ObjText::fill() {
+    auto held = static_cast<std::size_t>(end_ - at_);
+    std::copy(at_, end_, block_.begin());
+    std::size_t whole = 0;
+    while (whole == 0 && !all_taken_) {
+        if (block_.size() < held + block_size / 2) { // a long line; twice as much each time, to look at it but rarely
+            block_.resize(2 * held + block_size);
+        }
+        const std::size_t more = source_(std::span(block_).subspan(held, block_.size() - 1 - held));
+        all_taken_ = more == 0;
+        held += more;
+        whole = whole_lines({block_.data(), held});
     }
-    // Looked for up to the next LF only, which is kept: a text of CRs alone is gone through once.
-    const std::size_t whole = std::min(next_feed_, text_.size());
-    std::string_view line = text_.substr(at_, whole - at_);
-    line = line.substr(0, line.find('\r'));
-    at_ += line.size();
-    at_ += text_.substr(at_, 2) == "\r\n" ? 2 : 1;
-    return line.substr(0, comment(line));
+    block_[held] = '\n';
+    at_ = block_.data();
+    end_ = at_ + held;
+    whole_ = all_taken_ ? end_ : at_ + whole;
 }
 
 bool ObjText::next_line() {
-    if (at_ >= text_.size()) {
-        return false;
+    if (in_line_) {
+        end_line();
     }
+    in_line_ = at_ != end_;
     line_number_ = lines_taken_ + 1;
-    line_ = take_line();
-    std::size_t end = continuation(line_);
-    if (end == std::string_view::npos) {
-        return true;
+    return in_line_;
+}
+
+void ObjText::end_line() {
+    while (!next_word().empty()) {
     }
-    joined_.clear();
-    std::string_view part = line_;
-    for (; end != std::string_view::npos && at_ < text_.size(); end = continuation(part)) {
-        joined_.append(part.substr(0, end)).push_back(' ');
-        part = take_line();
+    take_line(); // there is but a comment
+}
+
+void ObjText::take_line() {
+    while (!is_line_end(*at_)) {
+        ++at_;
     }
-    joined_.append(part.substr(0, end));
-    line_ = joined_;
-    return true;
+    ++lines_taken_;
+    if (at_ < end_) {
+        at_ += *at_ == '\r' && at_ + 1 < end_ && at_[1] == '\n' ? 2 : 1;
+    }
+    if (at_ == whole_ && !all_taken_) {
+        fill();
+    }
 }
 
 std::string_view ObjText::next_word() {
-    line_.remove_prefix(std::min(line_.find_first_not_of(blanks), line_.size()));
-    const std::string_view word = line_.substr(0, line_.find_first_of(blanks));
-    line_.remove_prefix(word.size());
-    return word;
+    for (bool is_between = true; is_between;) {
+        while (is_blank(*at_)) {
+            ++at_;
+        }
+        is_between = *at_ == '\\' && goes_on(at_);
+        if (is_between) {
+            take_line();
+        }
+    }
+    const char *const first = at_;
+    if (*at_ != '#') {
+        while (is_plain(*at_) || (*at_ == '\\' && !goes_on(at_))) {
+            ++at_;
+        }
+    }
+    return {first, static_cast<std::size_t>(at_ - first)};
+}
+
+std::string ObjText::rest() {
+    std::string out;
+    const char *behind = nullptr;
+    std::size_t line = 0;
+    for (std::string_view word = next_word(); !word.empty(); word = next_word()) {
+        if (!out.empty() && line == lines_taken_) {
+            out.append(behind, word.data());
+        } else if (!out.empty()) {
+            out += ' ';
+        }
+        out += word;
+        behind = at_;
+        line = lines_taken_;
+    }
+    return out;
+}
+
+std::optional<double> ObjText::finite_number(std::string_view word) {
+    if (const auto value = plain_number(word)) {
+        return value;
+    }
+    word.remove_prefix(word.starts_with('+') ? 1 : 0);
+    double value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    const bool whole = !word.empty() && error == std::errc() && end == word.data() + word.size();
+    return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
 double ObjText::number(std::string_view word, double limit) const {
+    const auto value = plain_number(word);
+    return value && std::abs(*value) <= limit ? *value : any_number(word, limit);
+}
+
+double ObjText::any_number(std::string_view word, double limit) const {
     double value = 0;
     const std::string_view digits = word.starts_with('+') ? word.substr(1) : word;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);

@@ -3,14 +3,17 @@
 #include "image/error.h"
 #include "image/file_io.h"
 #include "image/image_file.h"
+#include "image/image_size.h"
 #include "image/plain_text.h"
+#include "scene/budget.h"
 #include "scene/near_uvs.h"
 #include "scene/obj_reader.h"
 #include "scene/scene_format.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <ranges>
 #include <utility>
 
 namespace sandbox {
@@ -24,8 +27,11 @@ struct Kind {
 constexpr Kind model_files{"model", "models/", "stability/"}; // broken on purpose: nothing to make a scene from
 constexpr Kind texture_files{"texture", "textures/", ""};
 
+/// The meshes of models by path and usemtl.
+using ObjParts = std::map<std::string, std::map<std::string, std::shared_ptr<const Mesh>>>;
+
 /// The bytes of an absolute path, or of the built-in file of that name.
-std::string read_named(const Assets &assets, const std::string &name, const Kind &kind) {
+std::string read_named(const Assets &assets, const std::string &name, const Kind &kind, const LookedIn &looked) {
     if (std::filesystem::path(name).is_absolute()) {
         return read_file(name);
     }
@@ -38,26 +44,57 @@ std::string read_named(const Assets &assets, const std::string &name, const Kind
     for (std::string &path : known) {
         path.erase(0, kind.folder.size());
     }
-    throw InputError("{}: no such {}; looked for it beside the scene file (for --set: in the current folder) and among "
-                     "the built-in ones ({})",
-                     name, kind.name, fmt::join(known, ", "));
+    throw InputError("{}: no such {}; looked for it {}among the built-in ones ({})", name, kind.name,
+                     looked.folder.empty() ? "" : fmt::format("in {} and ", plain_text(looked.folder)),
+                     fmt::join(known, ", "));
 }
 
-/// Of an OBJ, its notes go to stderr.
-std::shared_ptr<const Mesh> load_mesh(const Assets &assets, const MeshKey &key) {
-    const auto *obj = std::get_if<ObjShape>(&key.first);
-    std::vector<std::string> notes;
-    const auto mesh = std::make_shared<const Mesh>(
-        obj != nullptr ? read_obj(read_named(assets, obj->path, model_files), obj->path, notes)
-                       : build_mesh(key.first));
-    for (const std::string &note : notes) {
-        fmt::print(stderr, "note: {}: {}\n", plain_text(obj->path), plain_text(note));
+/// The faces of one material, of a file whose `parts` are those read already. Notes go to stderr.
+std::shared_ptr<const Mesh> load_part(const ObjShape &obj, ObjParts &parts) {
+    auto &meshes = parts[obj.path];
+    if (meshes.empty()) {
+        std::vector<std::string> notes;
+        ObjModel model = read_obj_model_file(obj.path, notes);
+        say_notes(obj.path, notes);
+        for (ObjModel::Part &part : model.parts) {
+            meshes.emplace(part.usemtl, std::make_shared<const Mesh>(std::move(part.mesh)));
+        }
     }
-    return with_repeated_uvs(mesh, key.second);
+    const auto found = meshes.find(*obj.usemtl);
+    if (found == meshes.end()) {
+        throw InputError("{}: no faces under usemtl \"{}\"; it has \"{}\"", obj.path, *obj.usemtl,
+                         fmt::join(std::views::keys(meshes), "\", \""));
+    }
+    return found->second;
 }
 
+std::shared_ptr<const Mesh> load_obj(const Assets &assets, const ObjShape &obj, ObjParts &parts,
+                                     const LookedIn &looked) {
+    if (obj.mesh != nullptr) {
+        return obj.mesh;
+    }
+    const bool on_disk = std::filesystem::path(obj.path).is_absolute();
+    if (obj.usemtl && on_disk) {
+        return load_part(obj, parts);
+    }
+    if (obj.usemtl) {
+        throw InputError("{}: usemtl needs a file beside the scene", obj.path);
+    }
+    std::vector<std::string> notes;
+    auto mesh = std::make_shared<const Mesh>(
+        on_disk ? read_obj_file(obj.path, notes)
+                : read_obj(read_named(assets, obj.path, model_files, looked), obj.path, notes));
+    say_notes(obj.path, notes);
+    return mesh;
+}
+
+/// A key holds no mesh: it would keep it for as long as it stands in a list.
 MeshKey mesh_key(const Object &object) {
-    return {object.mesh, has_texture(object.material) ? object.material.texture_repeat : glm::dvec2(1)};
+    MeshKey key{object.mesh, has_texture(object.material) ? object.material.texture_repeat : glm::dvec2(1)};
+    if (auto *obj = std::get_if<ObjShape>(&key.first)) {
+        obj->mesh = nullptr;
+    }
+    return key;
 }
 
 /// Runs `load`; an error of it names the key that asked for it.
@@ -74,6 +111,26 @@ template <class Entries, class Key> auto find_entry(const Entries &entries, cons
         entries, key, [](const auto &entry) -> const auto & { return entry.first; });
 }
 
+/// Before the first of them is built.
+void refuse_too_many_triangles(const Scene &scene) {
+    std::size_t most = 0; // where every mesh is another one
+    for (const Object &object : scene.objects) {
+        most += triangles_of(object.mesh);
+    }
+    if (most <= most_triangles) {
+        return;
+    }
+    SceneBudget budget;
+    std::vector<const Shape *> counted;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const Shape &shape = scene.objects[i].mesh;
+        if (std::ranges::none_of(counted, [&](const Shape *other) { return *other == shape; })) {
+            counted.push_back(&shape);
+            budget.add_triangles(object_name(scene, i), triangles_of(shape));
+        }
+    }
+}
+
 } // namespace
 
 Resources::Resources(Assets assets) : assets_(std::move(assets)) {}
@@ -86,38 +143,83 @@ std::shared_ptr<const Mesh> Resources::kept_mesh(const MeshKey &key) const {
     return earlier != earlier_meshes_.end() ? earlier->second.lock() : nullptr;
 }
 
-std::vector<ObjectResources> Resources::load(const Scene &scene) {
-    // Collected apart and swapped in at the end: a scene that fails changes nothing, one that loads evicts the rest.
+/// What load() collects, apart from what is kept: a scene that fails changes nothing.
+struct Resources::Loading {
+    const Scene &scene;
     decltype(meshes_) meshes;
     decltype(textures_) textures;
+    ObjParts parts;
+    SceneBudget budget;
+};
+
+std::shared_ptr<const Mesh> Resources::mesh_of(std::size_t i, Loading &now) const {
+    const Object &object = now.scene.objects[i];
+    const MeshKey key = mesh_key(object);
+    if (const auto mesh = find_entry(now.meshes, key); mesh != now.meshes.end()) {
+        return mesh->second;
+    }
+    const auto *obj = std::get_if<ObjShape>(&object.mesh);
+    auto mesh = kept_mesh(key);
+    if (obj != nullptr && obj->mesh != nullptr && key.second == glm::dvec2(1) && mesh != obj->mesh) {
+        mesh = nullptr; // read anew
+    }
+    if (obj == nullptr) {
+        now.budget.add_triangles(object_name(now.scene, i), triangles_of(object.mesh));
+    }
+    if (mesh == nullptr) {
+        mesh = obj == nullptr
+                   ? std::make_shared<const Mesh>(build_mesh(object.mesh))
+                   : at_key(i, "mesh.obj", [&] { return load_obj(assets_, *obj, now.parts, now.scene.looked_in); });
+        mesh = with_repeated_uvs(mesh, key.second);
+    }
+    if (obj != nullptr) {
+        now.budget.add_triangles(object_name(now.scene, i), mesh->triangles.size());
+    }
+    return now.meshes.emplace_back(key, std::move(mesh)).second;
+}
+
+std::shared_ptr<const Image> Resources::texture_of(std::size_t i, Loading &now) const {
+    const Material &material = now.scene.objects[i].material;
+    auto &texture = now.textures[{material.texture, material.texture_color_space}];
+    if (texture != nullptr) {
+        return texture;
+    }
+    const std::string object = object_name(now.scene, i);
+    const auto kept = textures_.find({material.texture, material.texture_color_space});
+    if (kept != textures_.end()) {
+        now.budget.add_texture(object, material.texture, kept->second->size);
+        return texture = kept->second;
+    }
+    const std::string bytes = at_key(i, "material.texture", [&] {
+        return read_named(assets_, material.texture, texture_files, now.scene.looked_in);
+    });
+    if (const auto size = image_size(bytes)) {
+        now.budget.add_texture(object, material.texture, *size);
+    }
+    Image image = at_key(i, "material.texture", [&] { return decode_image(bytes, material.texture); });
+    texture = std::make_shared<const Image>(
+        material.texture_color_space == ColorSpace::srgb ? decoded_srgb(std::move(image)) : std::move(image));
+    return texture;
+}
+
+std::vector<ObjectResources> Resources::load(const Scene &scene) {
+    refuse_too_many_triangles(scene);
+    Loading now{scene, {}, {}, {}, {}};
     std::vector<ObjectResources> out;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-        const Object &object = scene.objects[i];
         ObjectResources resources;
         resources.window_grid = window_grid_;
-        const MeshKey shape = mesh_key(object);
-        auto mesh = find_entry(meshes, shape);
-        if (mesh == meshes.end()) {
-            auto kept = kept_mesh(shape);
-            const auto load = [&] { return load_mesh(assets_, shape); };
-            meshes.emplace_back(shape, kept ? kept : at_key(i, "mesh.obj", load));
-            mesh = std::prev(meshes.end());
-        }
-        resources.mesh = mesh->second;
-        const std::string &name = object.material.texture;
-        if (!name.empty()) {
-            const std::pair key(name, object.material.texture_color_space);
-            auto &texture = textures[key];
-            if (!texture) {
-                const auto kept = textures_.find(key);
-                const auto load = [&] {
-                    Image image = decode_image(read_named(assets_, name, texture_files), name);
-                    return std::make_shared<const Image>(key.second == ColorSpace::srgb ? decoded_srgb(std::move(image))
-                                                                                        : std::move(image));
-                };
-                texture = kept != textures_.end() ? kept->second : at_key(i, "material.texture", load);
+        resources.mesh = mesh_of(i, now);
+        if (const Material &material = scene.objects[i].material; has_texture(material)) {
+            resources.texture = texture_of(i, now);
+            const auto *obj = std::get_if<ObjShape>(&scene.objects[i].mesh);
+            const bool is_new = !textures_.contains({material.texture, material.texture_color_space}) ||
+                                kept_mesh(mesh_key(scene.objects[i])) == nullptr;
+            if (obj != nullptr && resources.mesh->uvs.empty() && is_new) {
+                say_notes(obj->path, {fmt::format("objects[{}]: no texture coordinates (vt); all of it has the colour "
+                                                  "of the texture's corner",
+                                                  i)});
             }
-            resources.texture = texture;
         }
         out.push_back(std::move(resources));
     }
@@ -126,9 +228,9 @@ std::vector<ObjectResources> Resources::load(const Scene &scene) {
             earlier_meshes_.emplace_back(shape, mesh);
         }
     }
-    meshes_ = std::move(meshes);
+    meshes_ = std::move(now.meshes);
     std::erase_if(earlier_meshes_, [](const auto &entry) { return entry.second.expired(); });
-    textures_ = std::move(textures);
+    textures_ = std::move(now.textures);
     return out;
 }
 

@@ -4,6 +4,7 @@
 #include "scene/assets.h"
 #include "scene/mesh.h"
 
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <string>
@@ -30,14 +31,18 @@ class Resources {
   public:
     explicit Resources(Assets assets);
 
-    /// One entry per object of `scene`. Throws InputError (unknown texture, bad OBJ) and then changes nothing.
+    /// One entry per object of `scene`. Throws InputError (unknown texture, bad OBJ, more than budget.h allows) and
+    /// then changes nothing.
     std::vector<ObjectResources> load(const Scene &scene);
 
     /// ObjectResources::window_grid of all that is loaded from here on.
     void set_window_grid(int steps) { window_grid_ = steps; }
 
   private:
+    struct Loading;
     [[nodiscard]] std::shared_ptr<const Mesh> kept_mesh(const MeshKey &key) const;
+    std::shared_ptr<const Mesh> mesh_of(std::size_t object, Loading &now) const;
+    std::shared_ptr<const Image> texture_of(std::size_t object, Loading &now) const;
 
     Assets assets_;
     int window_grid_ = 0;

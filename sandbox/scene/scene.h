@@ -3,6 +3,7 @@
 #include <array>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -98,9 +99,14 @@ struct TorusShape {
     int segments = 32;
     bool operator==(const TorusShape &) const = default;
 };
+struct Mesh;
 struct ObjShape {
     std::string path; ///< absolute once read
-    bool operator==(const ObjShape &) const = default;
+    /// Only the faces under this `usemtl` of the file; "": those before any. None: all faces.
+    std::optional<std::string> usemtl = std::nullopt;
+    /// Of a file that was read for its scene to be made, so that it is read once; else null. Not in a scene's file.
+    std::shared_ptr<const Mesh> mesh = nullptr;
+    bool operator==(const ObjShape &other) const { return path == other.path && usemtl == other.usemtl; }
 };
 using Shape = std::variant<SphereShape, BoxShape, PlaneShape, CylinderShape, TorusShape, ObjShape>;
 
@@ -130,12 +136,17 @@ struct Material {
     bool operator==(const Material &) const = default;
 };
 
+/// Where a model's materials come from.
+enum class MaterialsOf { scene, file };
+
 struct Object {
     std::string name;
     Shape mesh;
     Transform transform;
     Material material;
     bool two_sided = false; ///< N turned where a triangle shows its back
+    /// `file`: reading the scene puts one object for each material of the OBJ in this one's place.
+    MaterialsOf materials = MaterialsOf::scene;
     bool operator==(const Object &) const = default;
 };
 
@@ -152,6 +163,13 @@ struct Opening {
     bool operator==(const Opening &) const = default;
 };
 
+/// Where bare names of a file were looked for before the built-in ones, for messages; empty: nowhere. Not in a scene's
+/// file: two scenes that differ in nothing else are equal.
+struct LookedIn {
+    std::string folder;
+    bool operator==(const LookedIn &) const { return true; }
+};
+
 struct Scene {
     std::string name;
     std::string description;
@@ -164,6 +182,7 @@ struct Scene {
     std::vector<Object> objects;
     std::vector<View> views;
     Opening compare;
+    LookedIn looked_in;
     bool operator==(const Scene &) const = default;
 };
 

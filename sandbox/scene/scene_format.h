@@ -16,6 +16,7 @@
 namespace sandbox {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
+constexpr double most_objects = 10'000; ///< of a scene
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 
 /// The usual part of a range, over which a slider runs, and how its numbers are printed.
@@ -122,6 +123,7 @@ constexpr Format<Fields...> format(std::string_view name, std::string_view doc, 
 template <class E> inline constexpr auto words_of = nullptr;
 template <> inline constexpr std::array<std::string_view, 2> words_of<Projection>{"perspective", "orthographic"};
 template <> inline constexpr std::array<std::string_view, 2> words_of<ColorSpace>{"linear", "srgb"};
+template <> inline constexpr std::array<std::string_view, 2> words_of<MaterialsOf>{"scene", "file"};
 template <class E>
 concept HasWords = !std::is_null_pointer_v<std::remove_cv_t<decltype(words_of<E>)>>;
 
@@ -229,7 +231,9 @@ template <>
 inline constexpr auto format_of<ObjShape> =
     format("obj", "A model read from a Wavefront OBJ file.",
            field("obj", &ObjShape::path, any, "Path, relative to the scene file; a bare name may be a built-in model.",
-                 {.needed = always<ObjShape>}));
+                 {.needed = always<ObjShape>}),
+           field("usemtl", &ObjShape::usemtl, any,
+                 "Only the faces under this usemtl of the file; \"\": those before any. Absent: all faces."));
 
 template <>
 inline constexpr auto format_of<Checker> =
@@ -269,6 +273,9 @@ inline constexpr auto
                                field("mesh", &Object::mesh, any, "Its shape.", {.needed = always<Object>}),
                                field("transform", &Object::transform, any, "Where it stands."),
                                field("material", &Object::material, any, "What it is made of."),
+                               field("materials", &Object::materials, any,
+                                     "file: the materials of the OBJ file's own libraries; reading puts an object for "
+                                     "each in this one's place. What they leave open is as `material` says."),
                                control("two_sided", &Object::two_sided, any,
                                        "Turns the normal where a triangle shows its back, so that both sides are lit.",
                                        {.label = "two-sided"}));
@@ -299,7 +306,8 @@ inline constexpr auto format_of<Scene> =
                    "normal incidence for n >= 32, and not at grazing angles (0.84 apart on a floor).",
                    {.term = Term::blinn_highlight, .label = "Blinn n / n"}),
            field("lights", &Scene::lights, {.low = 0, .high = 64}, "At most 64."),
-           field("objects", &Scene::objects, any, "What is lit."), field("views", &Scene::views, any, "Named cameras."),
+           field("objects", &Scene::objects, {.low = 0, .high = most_objects}, "What is lit; at most 10000."),
+           field("views", &Scene::views, any, "Named cameras."),
            field("compare", &Scene::compare, any, "What the window shows of the scene when it opens."));
 
 /// Calls f(field) for every field of T, in the order of the file.

@@ -1,11 +1,14 @@
 #include "scene/scene_read.h"
 
 #include "image/plain_text.h"
+#include "scene/model_objects.h"
+#include "scene/obj_reader.h"
 #include "scene/table_read.h"
 
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <vector>
@@ -127,11 +130,44 @@ class Reader : public TableReader<Reader, Json> {
     }
 };
 
+/// The objects of its model in place of one whose materials are the file's.
+void put_in_materials(Scene &scene, std::string_view name) {
+    std::vector<Object> objects;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const Object &object = scene.objects[i];
+        if (object.materials == MaterialsOf::scene) {
+            objects.push_back(object);
+            continue;
+        }
+        try {
+            const auto *obj = std::get_if<ObjShape>(&object.mesh);
+            if (obj == nullptr || !std::filesystem::path(obj->path).is_absolute()) {
+                throw InputError("\"file\" needs the mesh of an .obj file beside the scene");
+            }
+            if (obj->usemtl) {
+                throw InputError("expected usemtl or materials \"file\", got both");
+            }
+            ModelObjects model = objects_of_model(obj->path, object);
+            say_notes(obj->path, model.notes);
+            std::ranges::move(model.objects, std::back_inserter(objects));
+        } catch (const InputError &error) {
+            throw InputError("{}: objects[{}].materials: {}", name, i, error.what());
+        }
+        if (static_cast<double>(objects.size()) > most_objects) {
+            throw InputError("{}: objects[{}].materials: a scene may have {} objects; with this model's it has more",
+                             name, i, number_text(most_objects));
+        }
+    }
+    scene.objects = std::move(objects);
+}
+
 } // namespace
 
 Scene read_scene(const Json &json, std::string_view name, const std::filesystem::path &folder) {
     Scene scene;
     Reader(name, folder).read_object(json, "", scene, "$schema"); // which is for editors
+    scene.looked_in.folder = folder.empty() ? "" : std::filesystem::absolute(folder).lexically_normal().string();
+    put_in_materials(scene, name);
     return scene;
 }
 

@@ -134,11 +134,23 @@ class Setting {
     }
 };
 
+/// A model that was read for the scene is not read again for what differs in a setting.
+void keep_meshes(const Scene &from, Scene &to) {
+    for (std::size_t i = 0; i < std::min(from.objects.size(), to.objects.size()); ++i) {
+        const auto *before = std::get_if<ObjShape>(&from.objects[i].mesh);
+        auto *now = std::get_if<ObjShape>(&to.objects[i].mesh);
+        if (before != nullptr && now != nullptr && *before == *now) {
+            now->mesh = before->mesh;
+        }
+    }
+}
+
 } // namespace
 
 Scene with_settings(const Scene &scene, std::span<const std::string> settings, std::string_view name,
                     const std::filesystem::path &folder) {
     Json json = write_scene(scene, Keys::all);
+    bool names_files = false;
     for (const std::string_view setting : settings) {
         const std::size_t equals = setting.find('=');
         const std::string_view path = setting.substr(0, equals);
@@ -147,8 +159,12 @@ Scene with_settings(const Scene &scene, std::span<const std::string> settings, s
             throw InputError(label + ": expected PATH=VALUE, such as lights[0].diffuse=0.5");
         }
         Setting(path, label).apply(json, setting.substr(equals + 1), folder);
+        names_files = names_files || path.ends_with("texture") || path.ends_with("obj");
     }
-    return read_scene(json, name, {});
+    Scene set = read_scene(json, name, {});
+    set.looked_in = names_files ? LookedIn{folder.string()} : scene.looked_in;
+    keep_meshes(scene, set);
+    return set;
 }
 
 Scene with_setting(const Scene &scene, std::string_view path_equals_value) {

@@ -42,6 +42,9 @@ class Writer {
     static std::optional<bool> special(const Material &material, std::string_view key) {
         return key == "checker" ? std::optional(material.checker.has_value()) : std::nullopt;
     }
+    static std::optional<bool> special(const ObjShape &obj, std::string_view key) {
+        return key == "usemtl" ? std::optional(obj.usemtl.has_value()) : std::nullopt;
+    }
     static std::optional<bool> special(const Scene &scene, std::string_view key) {
         return key == "compare" ? std::optional(scene.compare != Opening{}) : std::nullopt;
     }
@@ -71,6 +74,7 @@ class Writer {
     template <std::size_t N> OrderedJson write(const std::array<glm::dvec3, N> &colors) const { return list(colors); }
     template <class T> OrderedJson write(const std::vector<T> &values) const { return list(values); }
     template <class T> OrderedJson write(const std::optional<T> &value) const { return object(*value); }
+    static OrderedJson write(const std::optional<std::string> &value) { return *value; }
     OrderedJson write(const Shape &shape) const {
         return std::visit(
             [&]<class S>(const S &value) {

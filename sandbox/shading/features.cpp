@@ -154,11 +154,12 @@ void derive_normals(Features &f, const Technique &technique, const Object &objec
     }
 }
 
-void derive_surface(Features &f, const Technique &technique, const Material &material) {
+void derive_surface(Features &f, const Technique &technique, const Material &material, const Mesh &mesh) {
     const bool lit_base =
         f.ambient || lit_ambient(f) || f.diffuse() || (f.specular() && material.texture_modulates_specular);
     f.chequered = lit_base && material.checker;
     f.textured = lit_base && !material.checker && !material.texture.empty();
+    f.colored = lit_base && !mesh.colors.empty();
     const bool emits = any(material.emission);
     f.emission = emits && f.has_base();
     f.ambient |= emits && !f.has_base();
@@ -252,7 +253,8 @@ Technique without_effectless_values(Technique technique, const Scene &scene, con
 }
 
 /// The text decides all but how it is fed.
-Features own_features(const Scene &scene, const Technique &technique, const Object &object, const EyeSpace &space) {
+Features own_features(const Scene &scene, const Technique &technique, const Object &object, const Mesh &mesh,
+                      const EyeSpace &space) {
     const OwnText &text = *technique.own;
     Features f;
     f.technique = {.frequency = technique.frequency, .model = Model::own, .own = technique.own};
@@ -260,6 +262,7 @@ Features own_features(const Scene &scene, const Technique &technique, const Obje
     f.own.moved = text.position && space.origin != glm::dvec3(0);
     f.chequered = text.base && object.material.checker;
     f.textured = text.base && !object.material.checker && !object.material.texture.empty();
+    f.colored = text.base && !mesh.colors.empty();
     f.normals = text.reads_N;
     f.two_sided = f.normals && object.two_sided;
     if (f.normals && !text.normal) {
@@ -278,7 +281,7 @@ double raised_exponent(const Scene &scene, Model model, const Material &material
 Features derive_features(const Scene &scene, const Technique &given, const Object &object, const Mesh &mesh,
                          const ObjectLights &lights, const EyeSpace &space) {
     if (given.model == Model::own) {
-        return own_features(scene, given, object, space);
+        return own_features(scene, given, object, mesh, space);
     }
     Technique technique = given;
     const bool orthographic = is_orthographic(scene.camera);
@@ -292,7 +295,7 @@ Features derive_features(const Scene &scene, const Technique &given, const Objec
         f.lights[kind.type] = light_features(lights.of_kind[kind.type], scene, technique, object, mesh);
     }
     f.ambient = any(lights.constant_ambient);
-    derive_surface(f, technique, object.material);
+    derive_surface(f, technique, object.material, mesh);
     derive_highlights(f, scene, technique, object.material);
     derive_normals(f, technique, object, mesh, space);
     derive_what_shows(f, technique);
@@ -311,14 +314,14 @@ Features derive_features(const Scene &scene, const Technique &given, const Objec
     return f;
 }
 
-int full_program_capacity(Frequency frequency) {
-    // interpolated-vectors: 7 components a light, and 11 besides
-    return frequency == Frequency::interpolated_vectors ? 7 : 64;
+int full_program_capacity(Frequency frequency, bool colored) {
+    // interpolated-vectors: 7 components a light, and 11 besides, or 14
+    return frequency != Frequency::interpolated_vectors ? 64 : colored ? 6 : 7;
 }
 
-LightFeatures every_light_feature(const LightKind &kind, Frequency frequency) {
+LightFeatures every_light_feature(const LightKind &kind, const Features &program) {
     LightFeatures all;
-    all.count = full_program_capacity(frequency);
+    all.count = full_program_capacity(program.technique.frequency, program.colored);
     all.ambient = all.diffuse = all.specular = true;
     all.attenuated_ambient = kind.positional || kind.conical;
     all.constant = all.linear = all.quadratic = all.floor = all.on_surface = kind.positional;
@@ -334,8 +337,9 @@ Features program_features(const Features &object) {
     Features all;
     all.technique.program = Program::full;
     all.technique.frequency = object.technique.frequency;
+    all.colored = object.colored;
     for (const LightKind &kind : light_kinds) {
-        all.lights[kind.type] = every_light_feature(kind, all.technique.frequency);
+        all.lights[kind.type] = every_light_feature(kind, all);
     }
     all.ambient = all.emission = all.textured = all.chequered = true;
     all.normals = all.guard_normal = all.guard_vertex_normal = all.two_sided = true;

@@ -57,6 +57,7 @@ struct Features {
     bool emission = false;  ///< emission beside a base colour
     bool textured = false;  ///< the base colour comes from a texture
     bool chequered = false; ///< ... or from a checker
+    bool colored = false;   ///< the base colour is multiplied by the vertices'
     bool base_times_specular = false;
     bool normals = false; ///< anything depends on N
     NormalTransform normal_transform = NormalTransform::identity;
@@ -79,7 +80,7 @@ struct Features {
     [[nodiscard]] bool is_full() const { return technique.program == Program::full; }
     /// Are positions measured from elsewhere than the eye?
     [[nodiscard]] bool off_eye() const { return afar || technique.position == LightingPosition::absolute; }
-    [[nodiscard]] bool has_base() const { return textured || chequered; }
+    [[nodiscard]] bool has_base() const { return textured || chequered || colored; }
     /// Is R.V raised, or N.H? A full program can do both.
     [[nodiscard]] bool mirrors_view() const { return is_full() || sandbox::mirrors_view(technique.model); }
     [[nodiscard]] bool uses_half_vector() const { return is_full() || reflection(technique.model).half_vector; }
@@ -100,10 +101,10 @@ Features derive_features(const Scene &scene, const Technique &technique, const O
 /// What the program of an object with these features holds: the same or, in a full program, everything.
 Features program_features(const Features &object);
 
-/// How many lights the arrays of a full program hold.
-int full_program_capacity(Frequency frequency);
+/// How many lights the arrays of a full program hold; `colored`: of one that reads vertices' colours.
+int full_program_capacity(Frequency frequency, bool colored);
 /// What a full program does for lights of a kind.
-LightFeatures every_light_feature(const LightKind &kind, Frequency frequency);
+LightFeatures every_light_feature(const LightKind &kind, const Features &program);
 
 /// The textbook's program of the same scene: no guard, no stable power. For measuring what they cost.
 Features without_guards(Features features);

@@ -122,7 +122,11 @@ ProgramNeeds derive_needs(const Features &f) {
     needs.both_sides = needs.vertex.lit && needs.vertex.N && f.turns_by_winding();
     pass_on(needs, f);
     const bool flat = f.technique.frequency == Frequency::flat && needs.vertex.lit;
-    needs.attributes = {.flat = flat, .normal = needs.vertex.N, .uv = f.textured, .centroid = flat && needs.vertex.P};
+    needs.attributes = {.flat = flat,
+                        .normal = needs.vertex.N,
+                        .uv = f.textured,
+                        .centroid = flat && needs.vertex.P,
+                        .color = f.colored};
     return needs;
 }
 
@@ -131,7 +135,8 @@ int varying_components(const Features &f) {
     const StageNeeds &fragment = needs.fragment;
     const int lights = int(needs.vertex.lit) + int(needs.vertex.separate_specular);
     int vectors = (needs.both_sides ? 2 * lights : lights) + int(fragment.P && !f.wide) + int(fragment.N) +
-                  int(needs.vectors && fragment.V && f.technique.viewer == Viewer::local) + int(f.chequered);
+                  int(needs.vectors && fragment.V && f.technique.viewer == Viewer::local) + int(f.chequered) +
+                  int(f.colored);
     int scalars = f.textured ? 2 : 0;
     for (const LightKind &kind : light_kinds) {
         const LightNeeds &light = fragment.lights[kind.type];
@@ -148,7 +153,7 @@ void require_drawable(const Features &f, const Object &object) {
         for (const LightFeatures &light : f.lights) {
             count += light.count;
         }
-        if (const int most = full_program_capacity(f.technique.frequency); count > most) {
+        if (const int most = full_program_capacity(f.technique.frequency, f.colored); count > most) {
             throw InputError("object '{}': interpolated-vectors with program=full carries at most {} "
                              "lights, this scene has {}: use program=specialised or another frequency",
                              object.name, most, count);

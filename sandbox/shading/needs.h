@@ -37,7 +37,7 @@ struct StageNeeds {
 /// Which vertex attributes a program reads beside positions (locations as in vertex.glsl), and in which arrangement.
 struct VertexAttributes {
     bool flat = false; ///< unshared vertices that carry their face's normal and centroid
-    bool normal = false, uv = false, centroid = false;
+    bool normal = false, uv = false, centroid = false, color = false;
     auto operator<=>(const VertexAttributes &) const = default; // NOLINT(modernize-use-nullptr): version 14 errs
 };
 

@@ -1,11 +1,13 @@
 #include "shading/own_files.h"
 
 #include "scene/light_kind.h"
+#include "scene/mesh.h"
 #include "shading/object_lights.h"
 #include "shading/own_interface.h"
 #include "shading/template.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -17,9 +19,15 @@ bool any_light(const Scene *scene, bool (*asked)(const Light &)) {
     return scene == nullptr ||
            std::ranges::any_of(scene->lights, [&](const Light &light) { return light.enabled && asked(light); });
 }
+/// Have the vertices colours? A model that nobody has read yet may have.
+bool may_have_colors(const Shape &shape) {
+    const auto *obj = std::get_if<ObjShape>(&shape);
+    return obj != nullptr &&
+           (obj->mesh != nullptr ? !obj->mesh->colors.empty() : std::filesystem::path(obj->path).is_absolute());
+}
 bool any_base(const Scene *scene) {
     return scene == nullptr || std::ranges::any_of(scene->objects, [](const Object &object) {
-               return object.material.checker || !object.material.texture.empty();
+               return object.material.checker || !object.material.texture.empty() || may_have_colors(object.mesh);
            });
 }
 

@@ -319,6 +319,8 @@ void add_program(TemplateValues &values, const Features &f, const ProgramNeeds &
          {"reads_uv", needs.attributes.uv},
          {"reads_centroid", needs.attributes.centroid},
          {"reads_checker", f.chequered},
+         {"reads_color", f.colored},
+         {"colored_too", f.colored && (f.textured || f.chequered)},
          {"reads_model", needs.vertex.P || f.normal_transform == NormalTransform::rigid || model_matrix || full},
          {"reads_normal_matrix", f.normal_transform == NormalTransform::general && !model_matrix},
          {"reads_eye",
@@ -358,7 +360,7 @@ void add_program(TemplateValues &values, const Features &f, const ProgramNeeds &
 /// Of a full program: all that some light has, for lights of every kind.
 void add_shared_array(TemplateValues &values, const Features &f, const ProgramNeeds &needs) {
     const LightKind every{.type = {}, .word = "every", .positional = true, .directed = true, .conical = true};
-    LightFeatures has = every_light_feature(every, f.technique.frequency);
+    LightFeatures has = every_light_feature(every, f);
     has.given_half_vector = true;
     LightNeeds handed;
     handed.given_L = handed.given_H = handed.given_distance = needs.vectors;

@@ -144,8 +144,10 @@ TEST(Facing, AMeshThatRunsAgainstItsNormalsIsLitFromBehindAndSaysSo) {
     mesh.triangles = {{0, 2, 1}};
     summarise(mesh);
     EXPECT_EQ(mesh.against_normals, 1U);
-    EXPECT_NE(winding_note(mesh).find("1 of 1 triangles run clockwise"), std::string::npos);
-    EXPECT_EQ(winding_note(build_mesh(SphereShape{})), "");
+    EXPECT_NE(winding_note(mesh.against_normals, mesh.triangles.size()).find("1 of 1 triangles run clockwise"),
+              std::string::npos);
+    EXPECT_EQ(build_mesh(SphereShape{}).against_normals, 0U);
+    EXPECT_EQ(winding_note(0, 12), "");
     Scene scene;
     scene.camera.position = {0, 0, 4};
     scene.objects.push_back(test::object_of(ObjShape{"memory"}));

@@ -1,4 +1,6 @@
 #include "scene/resources.h"
+#include "scene/scene_file.h"
+#include "scene/scene_setting.h"
 #include "tools/error_of.h"
 
 #include <cmath>
@@ -71,15 +73,32 @@ TEST(Resources, NameWhatIsMissingAndWhatThereIs) {
     Resources resources(Assets("assets"));
     EXPECT_EQ(
         error_of([&] { resources.load(scene_of({object(BoxShape{}, "woood.png")})); }),
-        "objects[0].material.texture: woood.png: no such texture; looked for it beside the scene file (for --set: in "
-        "the current folder) and among the built-in ones (bricks.png, "
+        "objects[0].material.texture: woood.png: no such texture; looked for it among the built-in ones (bricks.png, "
         "checker.png, marble.png, tiles.png, wood.png)");
     EXPECT_EQ(error_of([&] { resources.load(scene_of({object(ObjShape{"vaze.obj"})})); }),
-              "objects[0].mesh.obj: vaze.obj: no such model; looked for it beside the scene file (for --set: in "
-              "the current folder) and among the built-in ones (vase.obj)"); // the stability cases' broken models are
-                                                                             // none of them
+              "objects[0].mesh.obj: vaze.obj: no such model; looked for it among the built-in ones "
+              "(vase.obj)"); // the stability cases' broken models are
+                             // none of them
     EXPECT_EQ(error_of([&] { resources.load(scene_of({object(ObjShape{"/no/such.obj"})})); }),
               "objects[0].mesh.obj: /no/such.obj: cannot read the file (No such file or directory)");
+}
+
+/// The folder where bare names of a scene's file were looked for, or of a --set.
+TEST(Resources, NameTheFolderThatTheyLookedIn) {
+    const auto refusal = [](const Scene &scene) {
+        return error_of([&] { Resources(Assets("assets")).load(scene); }).substr(0, 110);
+    };
+    const Scene scene = parse_scene(R"({"objects": [{"mesh": {"shape": "box"}, "material": {"texture": "none.png"}}]})",
+                                    "a.json", "/a/folder");
+    EXPECT_EQ(refusal(scene), std::string("objects[0].material.texture: none.png: no such texture; looked for it in "
+                                          "/a/folder and among the built-in ones (bricks.png")
+                                  .substr(0, 110));
+    const std::string here = std::filesystem::current_path().string();
+    const Scene set = with_setting(scene, "objects[0].material.texture=nil.png");
+    EXPECT_NE(error_of([&] { Resources(Assets("assets")).load(set); }).find("looked for it in " + here + " and among"),
+              std::string::npos);
+    const Scene other = with_setting(scene, "ambient=[1,1,1]");
+    EXPECT_EQ(refusal(other), refusal(scene));
 }
 
 TEST(Assets, InsideTheExecutableAreThoseOnDisk) {

@@ -53,7 +53,8 @@ Scene full_scene(unsigned seed) {
                 {},
                 {},
                 {},
-                {"per-vertex/phong", "flat/lambert", "wipe"}};
+                {"per-vertex/phong", "flat/lambert", "wipe"},
+                {"/a folder"}};
     for (const LightType type : {LightType::directional, LightType::point, LightType::spot}) {
         scene.lights.push_back({type,
                                 false,
@@ -75,7 +76,7 @@ Scene full_scene(unsigned seed) {
                             PlaneShape{{digits(random, 0.1, 9), digits(random, 0.1, 9)}, 5},
                             CylinderShape{digits(random, 0.1, 1), digits(random, 0.1, 1), 5, 6, false},
                             TorusShape{digits(random, 0.1, 1), digits(random, 0.1, 1), 5, 6},
-                            ObjShape{"/a/b.obj"}};
+                            ObjShape{"/a/b.obj", "my red"}};
     for (const Shape &shape : shapes) {
         Material material{vector(random, 0, 1),
                           vector(random, 0, 1),

@@ -205,7 +205,7 @@ TEST(SceneErrors, UnknownKeysWithTheNearestKnown) {
               "mesh.shape: unknown shape, got \"tours\"; did you mean \"torus\"?");
     EXPECT_EQ(object_error(R"({"shpae": "box"})"), "mesh.shpae: unknown key of this mesh; did you mean \"shape\"?");
     EXPECT_EQ(object_error(R"({"obj": "a.obj", "radius": 1})"),
-              "mesh.radius: unknown key of this obj; expected one of obj");
+              "mesh.radius: unknown key of this obj; expected one of obj, usemtl");
     EXPECT_EQ(light_error(R"("type2": 1)"), "type2: unknown key of this light; did you mean \"type\"?");
 }
 

@@ -62,6 +62,38 @@ TEST(ProgramText, WhatASceneNeedsIsThere) {
     EXPECT_TRUE(has(text, "attenuated_ambient"));
 }
 
+/// Attribute, varying and line are there where the mesh has colours that light shows, under every frequency, and
+/// nowhere else; in full programs, too.
+TEST(ProgramText, VerticesColoursAreThereWhereTheMeshHasThem) {
+    for (const char *name : {"all", "textured", "chequered"}) {
+        const Scene scene = named(name);
+        const Object &object = scene.objects[0];
+        Mesh mesh = build_mesh(object.mesh);
+        const auto text = [&](const Technique &technique) {
+            const ProgramSource source = assemble(prepare_object(scene, technique, object, mesh).program, parts());
+            return source.vertex.text + source.fragment.text;
+        };
+        for (const Frequency frequency : all_frequencies) {
+            for (const Program program : {Program::specialised, Program::full}) {
+                const Technique technique{.frequency = frequency, .program = program};
+                mesh.colors.clear();
+                EXPECT_FALSE(has(text(technique), "_color;")) << to_string(technique);
+                mesh.colors.assign(mesh.positions.size(), glm::dvec3(1));
+                const std::string colored = text(technique);
+                EXPECT_TRUE(has(colored, "layout(location = 4) in vec3 a_color;")) << to_string(technique);
+                EXPECT_TRUE(has(colored, "v_color = a_color;")) << to_string(technique);
+                const bool alone = program != Program::full && std::string(name) == "all";
+                EXPECT_TRUE(has(colored, alone ? "vec3 base = v_color;" : "base *= v_color;")) << to_string(technique);
+            }
+        }
+    }
+    Scene dark = named("all");
+    dark.lights.clear(); // nothing is lit: no colour shows
+    Mesh mesh = build_mesh(dark.objects[0].mesh);
+    mesh.colors.assign(mesh.positions.size(), glm::dvec3(1));
+    EXPECT_FALSE(prepare_object(dark, {}, dark.objects[0], mesh).program.colored);
+}
+
 TEST(ProgramText, ATermAtZeroIsLeftOut) {
     Scene scene = named("attenuated point");
     scene.lights[0].specular = 0;

@@ -9,12 +9,26 @@
 
 namespace sandbox {
 
+namespace {
+
+/// Documents are many and small: who draws one keeps its meshes.
+Scene without_meshes(Scene scene) {
+    for (Object &object : scene.objects) {
+        if (auto *obj = std::get_if<ObjShape>(&object.mesh)) {
+            obj->mesh = nullptr;
+        }
+    }
+    return scene;
+}
+
+} // namespace
+
 Document document_of(std::string name, const Scene &scene, const Technique &left, const Technique &right) {
     Document document;
-    document.scene = scene;
+    document.scene = without_meshes(scene);
     document.left = left;
     document.right = right;
-    document.opened = std::make_shared<const OpenedScene>(OpenedScene{std::move(name), scene});
+    document.opened = std::make_shared<const OpenedScene>(OpenedScene{std::move(name), document.scene});
     return document;
 }
 
