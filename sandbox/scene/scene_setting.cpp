@@ -1,6 +1,7 @@
 #include "scene/scene_setting.h"
 
 #include "image/error.h"
+#include "image/plain_text.h"
 #include "scene/orbit.h"
 #include "scene/read_json.h"
 #include "scene/scene_read.h"
@@ -155,6 +156,9 @@ Scene with_settings(const Scene &scene, std::span<const std::string> settings, s
         const std::size_t equals = setting.find('=');
         const std::string_view path = setting.substr(0, equals);
         const std::string label = fmt::format("{} {}", name, path);
+        if (!is_utf8(setting)) { // no file could hold it
+            throw InputError("{}: expected text in UTF-8", plain_text(label));
+        }
         if (equals == std::string_view::npos) {
             throw InputError(label + ": expected PATH=VALUE, such as lights[0].diffuse=0.5");
         }

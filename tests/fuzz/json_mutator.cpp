@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -15,7 +16,7 @@ using Dice = std::minstd_rand;
 
 std::size_t roll(Dice &dice, std::size_t sides) { return static_cast<std::size_t>(dice()) / 7 % sides; }
 template <class Range> const auto &one_of(const Range &range, Dice &dice) {
-    return *(std::begin(range) + static_cast<std::ptrdiff_t>(roll(dice, std::size(range))));
+    return *std::next(std::begin(range), static_cast<std::ptrdiff_t>(roll(dice, std::size(range))));
 }
 
 /// Ends of ranges and of types.

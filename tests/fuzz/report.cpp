@@ -7,6 +7,7 @@
 #include "measure/report/report_json.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 namespace sandbox {
 
@@ -56,6 +57,15 @@ ReportRun small_run(const std::vector<Technique> &techniques, Size size) {
     return run;
 }
 
+/// Without what no reader reads, on one line: small.
+std::string seed_of(const std::vector<ReportRun> &runs) {
+    auto json = nlohmann::ordered_json::parse(report_json(runs));
+    for (auto &run : json["runs"]) {
+        run.erase("findings");
+    }
+    return json.dump();
+}
+
 } // namespace
 
 std::vector<std::string> report_seeds() {
@@ -64,7 +74,7 @@ std::vector<std::string> report_seeds() {
         small_run({parse_technique("per-vertex/phong"), parse_technique("per-pixel/phong:gate=none")}, {8, 6});
     two.measured.rows[0].refused = "too many lights";
     two.measured.no_analytic_surface = "a mesh from a file";
-    return {report_json({one}), report_json({two}), report_json({one, two})};
+    return {seed_of({one}), seed_of({two}), seed_of({one, two})};
 }
 
 } // namespace sandbox

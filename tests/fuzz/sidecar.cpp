@@ -22,17 +22,23 @@ template <class Read, class Write> void held_round(std::string_view bytes, Read 
     }
 }
 
+/// What a sidecar keeps: one view alone has no other technique, and only a difference and a wipe have their own keys.
+PictureOptions kept(PictureOptions options) {
+    const PictureOptions defaults;
+    if (options.layout == Layout::single && options.flip == FlipSide::none) {
+        options.right = options.left;
+    }
+    options.difference_of = options.layout == Layout::difference ? options.difference_of : defaults.difference_of;
+    options.divider = options.layout == Layout::wipe ? options.divider : defaults.divider;
+    return options;
+}
+
 void held_options(const Scene &scene, const PictureOptions &options) {
     held(std::isfinite(options.exposure) && options.exposure >= 0 && std::isfinite(options.gain) && options.gain > 0,
          "exposure and gain are numbers");
-    // One view alone keeps the technique of no other, and a picture that is no wipe keeps no divider.
     const std::string written = sidecar_text(scene, options, nobody);
-    const auto again = sidecar_options(written, "again.json");
-    held(again.has_value() && sidecar_text(scene, *again, nobody) == written, "reads back as it was: " + written);
+    held(sidecar_options(written, "again.json") == kept(options), "reads back as it was: " + written);
     held(parse_scene(written, "again.json", "/nowhere") == scene, "its scene reads back as it was: " + written);
-    held(again->size == options.size && again->marks == options.marks && again->layout == options.layout &&
-             again->samples == options.samples && again->drawn_over == options.drawn_over,
-         "size, marks, layout, samples and overlays read back as they were");
 }
 
 } // namespace
@@ -43,14 +49,21 @@ void check_sidecar(std::string_view bytes) {
     if (scene && options && *options) {
         held_options(*scene, **options);
     }
-    const std::string plain = sidecar_text({}, {}, nobody);
-    held_round(bytes, turntable_of, [&](const Turntable &table) { return turntable_text(plain, table); });
-    held_round(bytes, motion_of, [&](const Motion &motion) { return motion_sidecar(plain, motion); });
-    held_round(bytes, grid_of, [&](const Grid &grid) { return grid_text(plain, grid); });
+    static const std::string plain = sidecar_text({}, {}, nobody);
+    const auto has = [&](std::string_view key) { return bytes.find(key) != std::string_view::npos; };
+    if (has("\"frames\"") || has("\"orbit_degrees\"")) {
+        held_round(bytes, turntable_of, [](const Turntable &table) { return turntable_text(plain, table); });
+    }
+    if (has("\"rows\"") || has("\"sweep\"")) {
+        held_round(bytes, grid_of, [](const Grid &grid) { return grid_text(plain, grid); });
+    }
+    if (!has("\"motion\"")) {
+        return;
+    }
+    held_round(bytes, motion_of, [](const Motion &motion) { return motion_sidecar(plain, motion); });
     const auto motion = accepted([&] { return motion_of(bytes, "a.json"); });
     if (scene && motion && *motion) {
         held(moments_of(**motion) >= 2, "a motion has two moments");
-        accepted([&] { return moved(*scene, **motion, 0); });
         accepted([&] { return moved(*scene, **motion, 7); });
         accepted([&] { return sweep_of(**motion, *scene, 5); });
     }
@@ -80,12 +93,13 @@ std::vector<std::string> sidecar_seeds() {
     PictureOptions flipped;
     flipped.flip = FlipSide::b;
     flipped.masks = true;
-    const std::string single = sidecar_text(scene, {}, nobody);
+    const std::string single = sidecar_text({}, {}, nobody);
     const Motion orbit{};
     const Motion number{Mover::number, 0, "lights[0].diffuse", 0, 1, 4, Course::to_and_fro};
     return {single,
-            sidecar_text(scene, wipe, nobody),
-            sidecar_text(scene, marked, nobody),
+            sidecar_text(scene, {}, nobody),
+            sidecar_text({}, wipe, nobody),
+            sidecar_text({}, marked, nobody),
             sidecar_text({}, difference, nobody),
             sidecar_text({}, flipped, nobody),
             turntable_text(single, {36, 360}),

@@ -98,6 +98,12 @@ TEST(Setting, RefusesPathsThatLeadNowhere) {
     EXPECT_EQ(error("camera.far"), "--set camera.far: expected PATH=VALUE, such as lights[0].diffuse=0.5");
 }
 
+/// A scene with it could be drawn and written, but never read again.
+TEST(Setting, RefusesWhatIsNoUtf8) {
+    EXPECT_EQ(error("name=stu\x94io"), "--set name: expected text in UTF-8");
+    EXPECT_EQ(error("na\xff=1"), "--set na\\xFF: expected text in UTF-8");
+}
+
 TEST(Setting, NamesBrokenJson) {
     EXPECT_TRUE(error("background=[1, 2").starts_with("--set background:1:")) << error("background=[1, 2");
 }
