@@ -2,6 +2,7 @@
 
 #include "image/error.h"
 #include "image/file_io.h"
+#include "image/write_files.h"
 #include "scene/read_json.h"
 #include "words/words.h"
 
@@ -31,8 +32,26 @@ fs::path settings_file() {
 namespace {
 
 float panel_size(const nlohmann::json &from, const char *key, float least, float most) {
-    const float size = from.value(key, 0.0F);
-    return size == 0 ? 0 : std::clamp(size, least, most);
+    const double size = from.value(key, 0.0);
+    return size == 0 ? 0 : static_cast<float>(std::clamp<double>(size, least, most));
+}
+
+std::size_t step_number(const nlohmann::json &from) {
+    constexpr double most = 9999; // more than any lesson has; each lesson shows its last one in place of those beyond
+    return static_cast<std::size_t>(std::clamp(from.get<double>(), 0.0, most));
+}
+
+LessonProgress lesson_progress(const nlohmann::json &from) {
+    LessonProgress progress;
+    progress.last = from.value("last", "");
+    progress.step = from.contains("step") ? step_number(from["step"]) : 0;
+    const nlohmann::json seen = from.value("seen", nlohmann::json::object());
+    for (const auto &[lesson, steps] : seen.items()) {
+        for (const nlohmann::json &step : steps) {
+            progress.seen[lesson].insert(step_number(step));
+        }
+    }
+    return progress;
 }
 
 } // namespace
@@ -54,8 +73,7 @@ Settings read_settings(const fs::path &file, std::string &message) {
         settings.panel_sizes.side_ems = panel_size(from, "side_ems", least_side_ems, most_side_ems);
         settings.panel_sizes.bottom_share = panel_size(from, "bottom_share", least_bottom_share, most_bottom_share);
         if (const auto lessons = from.find("lessons"); lessons != from.end()) {
-            settings.lessons = {lessons->value("last", ""), lessons->value("step", std::size_t{0}),
-                                lessons->value("seen", std::map<std::string, std::set<std::size_t>>{})};
+            settings.lessons = lesson_progress(*lessons);
         }
         settings.exercises = from.value("exercises", settings.exercises);
         const auto size = from.value("window", std::array<double, 2>{static_cast<double>(settings.window.width),
