@@ -2,6 +2,7 @@
 
 #include "image/error.h"
 #include "render/egl_context.h"
+#include "render/lost_display.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -60,6 +61,7 @@ class HiddenWindow {
         if (glfwInit() != GLFW_TRUE) {
             throw MachineError("--backend glfw needs a display server, found none: set DISPLAY, or use --backend egl");
         }
+        end_when_display_is_lost();
         glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
         glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
         glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
