@@ -6,6 +6,7 @@
 #include "scene/suggest.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <fmt/format.h>
 #include <new>
 #include <span>
@@ -102,6 +103,10 @@ int main(int argc, char **argv) {
         return parse_and_run(argc, argv);
     } catch (const sandbox::InputError &error) {
         sandbox::note(error.what());
+        return bad_usage;
+    } catch (const std::filesystem::filesystem_error &error) { // the current folder is gone, say
+        const std::string path = error.path1().empty() ? "the current folder" : error.path1().string();
+        sandbox::note(fmt::format("{}: {}", path, error.code().message()));
         return bad_usage;
     } catch (const std::bad_alloc &) {
         sandbox::note("not enough memory; try a smaller --size, smaller textures or fewer triangles");

@@ -67,8 +67,8 @@ TEST(EveryJson, FilesThatAreNoneOfTheirKindAreToldApart) {
 }
 
 TEST(EveryJson, SettingsOnTheCommandLineAre) {
-    EXPECT_EQ(error_of([] { with_setting({}, "name=" + repeated("[", 100000)); }),
-              "--set name: nested deeper than 64 levels");
+    EXPECT_EQ(error_of([] { with_setting({}, "background=" + repeated("[", 100000)); }),
+              "--set background: nested deeper than 64 levels");
 }
 
 } // namespace

@@ -59,7 +59,7 @@ const std::vector<Library> libraries = {
     {"glm/.*", {}},
     {"fmt/.*", {}},
     {"(unistd|fcntl|malloc|poll|termios|spawn)\\.h|sys/.*", {}},
-    {"glad/.*|EGL/.*", {"render"}},
+    {"glad/.*|EGL/.*|dlfcn\\.h", {"render"}},
     {"GLFW/.*", {"render", "ui"}},
     {"imstb_truetype\\.h", {"image"}},
     {"imgui.*|backends/imgui.*", {"ui"}},

@@ -39,7 +39,7 @@ Figure pair_figure(const FigureWork &work, const Progress &) {
                   {},
                   {}};
     add_capture(figure, work, "pair", show_picture(work.request.scene, options, work.draw.painters),
-                sidecar_text(work.request.scene, options, work.draw.by));
+                sidecar_text(work.request.scene, options, work.draw.by, work.request.out));
     for (const FigureSide &side : work.sides) {
         const std::string name = &side == &left ? "A" : "B";
         figure.table += table_row(with_error_cells(
@@ -71,7 +71,7 @@ Figure exponents_figure(const FigureWork &work, const Progress &progress) {
                   {},
                   {}};
     add_capture(figure, work, "exponents", draw_grid(scene, grid, options, work.draw.painters, "exponents", progress),
-                grid_text(sidecar_text(scene, options, work.draw.by), grid));
+                grid_text(sidecar_text(scene, options, work.draw.by, work.request.out), grid, work.request.out));
     for (const std::string &value : grid.sweep.values) {
         Scene shiny = scene;
         shiny.objects.front().material.shininess = std::stod(value);
@@ -99,7 +99,7 @@ Figure difference_figure(const FigureWork &work, const Progress &) {
                   {},
                   {}};
     add_capture(figure, work, "difference", show_picture(work.request.scene, options, work.draw.painters),
-                sidecar_text(work.request.scene, options, work.draw.by));
+                sidecar_text(work.request.scene, options, work.draw.by, work.request.out));
     if (can_be_compared(work)) {
         figure.commands.push_back(compare_command(work, to_string(left.technique), to_string(right.technique)));
     }

@@ -7,6 +7,7 @@
 #include "reference/parallel.h"
 #include "words/words.h"
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -22,7 +23,8 @@ struct FigureRequest {
     /// As commands take them, quoted: SCENE with what changes it (--set, --view), and what every command needs
     /// (--assets, --shaders).
     std::string scene_arguments, common_arguments;
-    std::string folder; ///< where the files will be, for commands
+    std::string folder;        ///< where the files will be, for commands
+    std::filesystem::path out; ///< the same, as a path
     Words words;
 };
 

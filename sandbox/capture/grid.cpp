@@ -7,6 +7,7 @@
 #include "image/cut_paste.h"
 #include "image/error.h"
 #include "image/picture_size.h"
+#include "scene/scene_read.h"
 #include "scene/scene_setting.h"
 #include "words/row_words.h"
 
@@ -43,7 +44,23 @@ std::vector<Strips> strips_of(std::span<const std::string> rows, std::span<const
     return strips;
 }
 
+std::filesystem::path folder_of(const Grid &grid) {
+    return grid.folder.empty() ? std::filesystem::current_path() : grid.folder;
+}
+
+/// As a strip names a value: of a file without its folder, so that a moved grid has the same labels.
+std::string label_of(const Grid &grid, const std::string &value) {
+    return is_of_files(grid.sweep) ? std::filesystem::path(file_of_value(grid, value)).filename().string() : value;
+}
+
 } // namespace
+
+bool is_of_files(const Sweep &sweep) { return sweep.path.ends_with("texture") || sweep.path.ends_with("obj"); }
+
+std::string file_of_value(const Grid &grid, std::string_view value) {
+    const bool quoted = value.size() > 1 && value.front() == '"' && value.back() == '"';
+    return resolve_path(std::string(quoted ? value.substr(1, value.size() - 2) : value), folder_of(grid));
+}
 
 Sweep parse_sweep(std::string_view text) {
     const std::size_t equals = text.find('=');
@@ -69,24 +86,29 @@ Sweep parse_sweep(std::string_view text) {
     return sweep;
 }
 
-std::string grid_text(std::string_view cell, const Grid &grid) {
+std::string grid_text(std::string_view cell, const Grid &grid, const std::filesystem::path &folder) {
     auto rows = nlohmann::ordered_json::array();
     for (const Technique &technique : grid.techniques) {
-        rows.push_back(technique_json(technique));
+        rows.push_back(technique_json(technique, folder));
     }
-    const std::string sweep = fmt::format("{}={}", grid.sweep.path, fmt::join(grid.sweep.values, ","));
+    std::vector<std::string> values = grid.sweep.values;
+    if (!folder.empty() && is_of_files(grid.sweep)) {
+        std::ranges::transform(values, values.begin(),
+                               [&](const std::string &value) { return path_from(file_of_value(grid, value), folder); });
+    }
+    const std::string sweep = fmt::format("{}={}", grid.sweep.path, fmt::join(values, ","));
     return with_keys(cell, nlohmann::ordered_json{{"rows", rows}, {"sweep", sweep}}.dump());
 }
 
-std::optional<Grid> grid_of(std::string_view text, std::string_view name) {
+std::optional<Grid> grid_of(std::string_view text, std::string_view name, const std::filesystem::path &folder) {
     const auto json = sidecar_json(text, name);
     if (!json.contains("sweep")) {
         return std::nullopt;
     }
     try {
-        Grid grid{{}, parse_sweep(json.at("sweep").get<std::string>())};
+        Grid grid{{}, parse_sweep(json.at("sweep").get<std::string>()), folder};
         for (const auto &row : json.at("rows").get<std::vector<nlohmann::ordered_json>>()) {
-            grid.techniques.push_back(technique_of(row));
+            grid.techniques.push_back(technique_of(row, folder));
         }
         if (grid.techniques.empty()) {
             throw InputError("expected at least one technique");
@@ -175,8 +197,9 @@ ByteImage draw_grid(const Scene &scene, const Grid &grid, const PictureOptions &
     std::vector<std::string> rows, columns;
     for (const std::string &value : grid.sweep.values) {
         const std::string setting = grid.sweep.path + "=" + value;
-        scenes.push_back(with_settings(scene, {&setting, 1}, name, std::filesystem::current_path()));
-        columns.push_back(fmt::format("{} = {}", grid.sweep.path.substr(grid.sweep.path.rfind('.') + 1), value));
+        scenes.push_back(with_settings(scene, {&setting, 1}, name, folder_of(grid)));
+        columns.push_back(
+            fmt::format("{} = {}", grid.sweep.path.substr(grid.sweep.path.rfind('.') + 1), label_of(grid, value)));
     }
     const auto factor = [&](std::size_t row) { return options.mesh_factors[row > 0 ? 1 : 0]; };
     for (std::size_t row = 0; row < grid.techniques.size(); ++row) {

@@ -6,6 +6,7 @@
 #include "scene/motion.h"
 #include "shading/technique.h"
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <span>
@@ -30,13 +31,20 @@ Sweep parse_sweep(std::string_view text);
 struct Grid {
     std::vector<Technique> techniques; ///< from the top
     Sweep sweep;
+    std::filesystem::path folder{}; ///< where textures and models of the sweep are looked for; empty: the current one
     bool operator==(const Grid &) const = default;
 };
 /// The sidecar of a grid: that of one cell (sidecar_text()) with the keys rows, techniques, and sweep,
-/// "PATH=v1,v2,...".
-std::string grid_text(std::string_view cell, const Grid &grid);
-/// The grid of a sidecar; nothing if `text` is of one picture, or no sidecar. Throws InputError if a key is wrong.
-std::optional<Grid> grid_of(std::string_view text, std::string_view name);
+/// "PATH=v1,v2,...". Paths are relative to `folder`, where it will stand, if they can be (empty: as they are).
+std::string grid_text(std::string_view cell, const Grid &grid, const std::filesystem::path &folder = {});
+/// The grid of a sidecar in `folder`; nothing if `text` is of one picture, or no sidecar. Throws InputError if a key is
+/// wrong.
+std::optional<Grid> grid_of(std::string_view text, std::string_view name, const std::filesystem::path &folder = {});
+
+/// Whether a sweep is over files: textures or models.
+bool is_of_files(const Sweep &sweep);
+/// The file that such a sweep's value names, absolute; a bare name that is no file there may be a built-in one.
+std::string file_of_value(const Grid &grid, std::string_view value);
 
 /// A picture for row and column, as large as every other.
 using DrawCell = std::function<ByteImage(std::size_t row, std::size_t column)>;

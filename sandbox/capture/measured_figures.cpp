@@ -217,7 +217,7 @@ Figure profile_figure(const FigureWork &work, const Progress &) {
                   {},
                   {}};
     add_capture(figure, work, "profile-line", show_picture(work.request.scene, options, work.draw.painters),
-                sidecar_text(work.request.scene, options, work.draw.by));
+                sidecar_text(work.request.scene, options, work.draw.by, work.request.out));
     add_plot(figure, work, "profile", [&](const Words &w) { return profile_plot(w, y, curves(w)); });
     return figure;
 }

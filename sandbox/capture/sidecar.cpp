@@ -74,9 +74,9 @@ void write_marks(ordered_json &out, const Marks &marks) {
     }
 }
 
-void read_techniques(const ordered_json &value, PictureOptions &options) {
-    options.left = technique_of(value.at(0));
-    options.right = value.size() > 1 ? technique_of(value.at(1)) : options.left;
+void read_techniques(const ordered_json &value, const std::filesystem::path &folder, PictureOptions &options) {
+    options.left = technique_of(value.at(0), folder);
+    options.right = value.size() > 1 ? technique_of(value.at(1), folder) : options.left;
 }
 
 } // namespace
@@ -87,10 +87,11 @@ std::filesystem::path sidecar_path(const std::filesystem::path &picture) {
     return path;
 }
 
-std::string sidecar_text(const Scene &scene, const PictureOptions &options, const DrawnBy &by) {
-    ordered_json techniques = ordered_json::array({technique_json(options.left)});
+std::string sidecar_text(const Scene &scene, const PictureOptions &options, const DrawnBy &by,
+                         const std::filesystem::path &folder) {
+    ordered_json techniques = ordered_json::array({technique_json(options.left, folder)});
     if (options.layout != Layout::single || options.flip != FlipSide::none) {
-        techniques.push_back(technique_json(options.right));
+        techniques.push_back(technique_json(options.right, folder));
     }
     ordered_json out{{"version", SANDBOX_VERSION},
                      {"renderer", by.renderer},
@@ -135,7 +136,7 @@ std::string sidecar_text(const Scene &scene, const PictureOptions &options, cons
     if (!options.view.empty()) {
         out["view"] = options.view;
     }
-    out["scene"] = ordered_json::parse(scene_text(scene));
+    out["scene"] = ordered_json::parse(scene_text(scene, folder));
     return out.dump(2) + "\n";
 }
 
@@ -148,7 +149,8 @@ std::string with_keys(std::string_view sidecar, std::string_view more) {
     return json.dump(2) + "\n";
 }
 
-std::optional<PictureOptions> sidecar_options(std::string_view text, std::string_view name) {
+std::optional<PictureOptions> sidecar_options(std::string_view text, std::string_view name,
+                                              const std::filesystem::path &folder) {
     const ordered_json from = sidecar_json(text, name);
     if (!from.contains("techniques")) {
         return std::nullopt;
@@ -159,7 +161,7 @@ std::optional<PictureOptions> sidecar_options(std::string_view text, std::string
         read(key, [&](const ordered_json &v) { value = v.get<Value>(); });
     };
     read("layout", [&](const ordered_json &v) { options.layout = parse_layout(v.get<std::string>()); });
-    read("techniques", [&](const ordered_json &v) { read_techniques(v, options); });
+    read("techniques", [&](const ordered_json &v) { read_techniques(v, folder, options); });
     read("size", [&](const ordered_json &v) { options.size = read_size(v); });
     read("display", [&](const ordered_json &v) { options.display = parse_display(v.get<std::string>()); });
     read("divider", [&](const ordered_json &v) { options.divider = read_share(v.get<double>()); });

@@ -2,10 +2,10 @@
 
 #include "capture/frame_names.h"
 #include "capture/grid.h"
+#include "capture/pack.h"
 #include "capture/picture_ranges.h"
 #include "capture/samples.h"
 #include "capture/sidecar.h"
-#include "commands/interrupt.h"
 #include "commands/own_flags.h"
 #include "commands/progress_bar.h"
 #include "commands/session.h"
@@ -20,6 +20,7 @@
 #include <charconv>
 #include <cmath>
 #include <fmt/format.h>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -37,7 +38,7 @@ struct TypedTechniques {
 struct CaptureFlags {
     TypedTechniques typed;
     std::string scene, view;
-    std::filesystem::path out;
+    std::filesystem::path out, pack;
     std::vector<Technique> techniques;
     std::optional<Technique> left, right;
     std::optional<Sweep> sweep;
@@ -260,7 +261,9 @@ std::optional<Grid> asked_grid(const CaptureFlags &flags, const PictureOptions &
     std::error_code ignored;
     const std::filesystem::path path(flags.scene);
     const bool file = path.extension() == ".json" && std::filesystem::is_regular_file(path, ignored);
-    return file && !other ? grid_of(read_file(path, largest_json), flags.scene) : std::nullopt;
+    return file && !other
+               ? grid_of(read_file(path, largest_json), flags.scene, std::filesystem::absolute(path).parent_path())
+               : std::nullopt;
 }
 
 CaptureFlags with_techniques(CaptureFlags flags) {
@@ -278,9 +281,47 @@ CaptureFlags with_techniques(CaptureFlags flags) {
     return flags;
 }
 
+/// --pack: --out is in its folder, which is made.
+CaptureFlags in_pack(CaptureFlags flags) {
+    if (flags.pack.empty()) {
+        return flags;
+    }
+    if (flags.no_sidecar) {
+        throw InputError("--pack: the sidecar is what needs the files; it cannot go with --no-sidecar");
+    }
+    if (flags.out.has_parent_path()) {
+        throw InputError("--pack: --out names a file in that folder, such as a.png, got '{}'", flags.out.string());
+    }
+    make_folder("--pack", flags.pack, {});
+    flags.out = flags.pack / flags.out;
+    return flags;
+}
+
+std::filesystem::path file_of(const CaptureFlags &flags, int frame, bool many) {
+    return many ? frame_name(flags.out.string(), frame) : flags.out.string();
+}
+
+/// What the folder of --pack gets beside the pictures and their sidecar. Throws InputError if it holds other files.
+Pack pack_for(const CaptureFlags &flags, const Scene &scene, const PictureOptions &options,
+              const std::optional<Grid> &grid, const Assets &assets, int frames, bool many) {
+    std::set<std::string> names{sidecar_path(flags.out).filename().string()};
+    for (int i = 0; i < frames; ++i) {
+        names.insert(file_of(flags, i, many).filename().string());
+    }
+    Pack pack = pack_of(scene, options, grid, assets, flags.pack, names);
+    for (const OutputFile &file : pack.files) {
+        names.insert(file.path.filename().string());
+    }
+    with_flag("--pack", [&] { refuse_other_files(flags.pack, names); });
+    return pack;
+}
+
 int run_capture(const CaptureFlags &typed, const CommonOptions &common) {
-    const CaptureFlags flags = with_techniques(typed);
+    const CaptureFlags flags = in_pack(with_techniques(typed));
     const bool pfm = check_output(flags.out, {".png", ".pfm"}) == ".pfm";
+    if (!flags.no_sidecar) {
+        check_writable(sidecar_path(flags.out));
+    }
     if (pfm) {
         refuse_display_flags(flags);
     }
@@ -305,28 +346,34 @@ int run_capture(const CaptureFlags &typed, const CommonOptions &common) {
         note_no_effect(scene, options.left, options.right, session.renderer().resources().load(scene));
     }
     ProgressBar bar("capture " + flags.out.filename().string());
-    std::string sidecar = sidecar_text(scene, options, by);
-    sidecar = grid     ? grid_text(sidecar, *grid)
+    const int frames = motion ? moments_of(*motion) : turn ? turn->frames : 1;
+    const bool many = motion || turn;
+    const Pack pack = flags.pack.empty() ? Pack{scene, options, grid, {}}
+                                         : pack_for(flags, scene, options, grid, scene_assets(common), frames, many);
+    const std::filesystem::path folder = std::filesystem::absolute(flags.out).parent_path();
+    std::string sidecar = sidecar_text(pack.scene, pack.options, by, folder);
+    sidecar = grid     ? grid_text(sidecar, *pack.grid, folder)
               : motion ? motion_sidecar(sidecar, *motion)
               : turn   ? turntable_text(sidecar, *turn)
                        : sidecar;
-    const int frames = motion ? moments_of(*motion) : turn ? turn->frames : 1;
     for (int i = 0; i < frames; ++i) {
         Scene now = motion ? moved(scene, *motion, i) : scene;
         now.camera = turn ? orbit_camera(now.camera, orbit_degrees(turn->degrees, i, frames)) : now.camera;
-        const std::filesystem::path path(turn || motion ? frame_name(flags.out.string(), i) : flags.out.string());
         const auto draw_cells = [&] {
             return draw_grid(now, *grid, options, painters, "--sweep", [&](double share) {
                 bar.report(share);
                 return true;
             });
         };
-        write_output(path, grid  ? encode_png(with_flag("--sweep", draw_cells))
-                           : pfm ? encode_pfm(draw_picture(now, options, painters))
-                                 : encode_png(show_picture(now, options, painters)));
+        std::vector<OutputFile> files{
+            {file_of(flags, i, many), grid  ? encode_png(with_flag("--sweep", draw_cells))
+                                      : pfm ? encode_pfm(draw_picture(now, options, painters))
+                                            : encode_png(show_picture(now, options, painters))}};
         if (i == 0 && !flags.no_sidecar) {
-            write_output(sidecar_path(flags.out), sidecar);
+            files.push_back({sidecar_path(flags.out), sidecar});
+            files.insert(files.end(), pack.files.begin(), pack.files.end());
         }
+        write_files(files);
         bar.report((i + 1.0) / frames);
     }
     if (common.verbose) {
@@ -369,6 +416,9 @@ void add_capture(CLI::App &app, CommonOptions &common, Run &run) {
     command.add_flag("--no-labels", flags->no_labels, "No labels, even if the sidecar asks for them");
     command.add_flag("--no-sidecar", flags->no_sidecar,
                      "Do not write FILE.json, the sidecar that reproduces the picture");
+    add_value(command, "--pack", "DIR", flags->pack,
+              "Write --out, its sidecar and copies of the textures, models and own shading that it needs into this\n"
+              "folder, which can be moved as a whole");
     command.option_defaults()->group("Two views");
     add_value(command, "--left", "T", flags->typed.left, "Technique of the left view, A");
     add_value(command, "--right", "T", flags->typed.right, "Technique of the right view, B");

@@ -68,8 +68,9 @@ void add_common_options(CLI::App &command, CommonOptions &common) {
         common.settings.insert(common.settings.end(), settings.begin(), settings.end());
     };
     const auto parse_folder = [](const std::string &path) {
-        if (!std::filesystem::is_directory(path)) {
-            throw InputError("there is no folder '{}'", path);
+        std::error_code failed;
+        if (!std::filesystem::is_directory(path, failed)) {
+            throw InputError("there is no folder '{}'{}", path, failed ? fmt::format(" ({})", failed.message()) : "");
         }
         return std::filesystem::path(path);
     };

@@ -44,9 +44,7 @@ Scene open_scene(const CommonOptions &common, const std::string &name, const std
                  std::optional<Size> drawn) {
     Scene scene = is_model(name) ? scene_of_model(name, drawn ? aspect_of(*drawn) : unknown_aspect)
                                  : open_scene(name, scene_assets(common));
-    for (const std::string &setting : common.settings) {
-        scene = with_setting(scene, setting);
-    }
+    scene = with_settings(scene, common.settings, "--set", std::filesystem::current_path());
     (void)opening_view(scene, name); // for the window alone, and refused by every command if it is wrong
     if (view.empty()) {
         return scene;
@@ -61,7 +59,7 @@ std::optional<PictureOptions> sidecar_of(const std::string &scene) {
     if (path.extension() != ".json" || !std::filesystem::is_regular_file(path, failed)) {
         return std::nullopt;
     }
-    return sidecar_options(read_file(path, largest_json), scene);
+    return sidecar_options(read_file(path, largest_json), scene, std::filesystem::absolute(path).parent_path());
 }
 
 std::string quoted(const std::string &word) {
@@ -108,17 +106,24 @@ std::string check_output(const std::filesystem::path &out, std::initializer_list
         throw InputError("--out: expected a file name that ends in {}, got '{}'", fmt::join(allowed, " or "),
                          out.string());
     }
-    if (out.has_parent_path() && !std::filesystem::is_directory(out.parent_path())) {
+    std::error_code failed;
+    const auto folder = std::filesystem::status(out.parent_path(), failed).type();
+    if (out.has_parent_path() && folder == std::filesystem::file_type::not_found) {
         throw InputError("--out: there is no folder '{}'", out.parent_path().string());
     }
+    with_flag("--out", [&] { check_writable(out); });
     return ending;
 }
 
-void make_folder(const std::filesystem::path &out) {
-    std::error_code failed;
-    std::filesystem::create_directories(out, failed);
-    if (!std::filesystem::is_directory(out)) {
-        throw InputError("--out: cannot make the folder '{}'", out.string());
+void make_folder(std::string_view flag, const std::filesystem::path &folder,
+                 std::initializer_list<std::string_view> files) {
+    std::error_code failed, ignored;
+    std::filesystem::create_directories(folder, failed);
+    if (failed && !std::filesystem::is_directory(folder, ignored)) {
+        throw InputError("{}: cannot make the folder '{}' ({})", flag, folder.string(), failed.message());
+    }
+    for (const std::string_view file : files) {
+        with_flag(flag, [&] { check_writable(folder / file); });
     }
 }
 

@@ -57,11 +57,13 @@ template <typename Work> auto with_flag(std::string_view flag, Work work) {
 }
 
 /// The ending of an output file, in lower case: ".png". Throws InputError naming --out unless it is among `allowed` and
-/// the folder exists, so that no work is lost.
+/// the file can be written, so that no work is lost.
 std::string check_output(const std::filesystem::path &out, std::initializer_list<std::string_view> allowed);
 
-/// Makes the folder of --out, unless it exists. Throws InputError.
-void make_folder(const std::filesystem::path &out);
+/// Makes the folder of `flag`, unless it exists. Throws InputError naming the flag unless files of those names can be
+/// written into it, so that no work is lost.
+void make_folder(std::string_view flag, const std::filesystem::path &folder,
+                 std::initializer_list<std::string_view> files);
 
 /// Writes a result to standard output, flushed; a terminal gets no control characters but line ends and tabs. Throws
 /// InputError if it cannot be written (a full disk).

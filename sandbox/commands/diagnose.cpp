@@ -1,6 +1,5 @@
 #include "commands/commands.h"
 
-#include "commands/interrupt.h"
 #include "commands/own_flags.h"
 #include "commands/progress_bar.h"
 #include "commands/session.h"
@@ -33,7 +32,7 @@ using OwnDraw = std::function<Frame(const Scene &, const Technique &, Size, bool
 void write_residual(const DiagnoseFlags &flags, const Observed &observed, const Diagnosis &diagnosis) {
     const double largest = largest_difference(observed.numbers, diagnosis.expected);
     const double gain = largest > 0 && std::isfinite(largest) ? 1 / largest : 1;
-    write_output(flags.out, encode_png(difference_picture(observed.numbers, diagnosis.expected, gain)));
+    write_file(flags.out, encode_png(difference_picture(observed.numbers, diagnosis.expected, gain)));
     note(fmt::format("{}: picture - expected, {:.3g} times", flags.out.string(), gain));
 }
 

@@ -3,9 +3,9 @@
 #include "capture/figures_page.h"
 #include "capture/opening_view.h"
 #include "commands/commands.h"
-#include "commands/interrupt.h"
 #include "commands/progress_bar.h"
 #include "commands/session.h"
+#include "image/write_files.h"
 #include "render/frame_clock.h"
 #include "ui/views/painters.h"
 
@@ -60,13 +60,14 @@ FigureRequest request_of(const FiguresFlags &flags, const CommonOptions &common)
         request.common_arguments += folder.empty() ? "" : fmt::format(" {} {}", flag, quoted(folder.string()));
     }
     request.folder = quoted((flags.out.has_filename() ? flags.out : flags.out.parent_path()).string());
+    request.out = flags.out;
     request.words = words_in(request.pair.language, scene_assets(common));
     return request;
 }
 
 int run_figures(const FiguresFlags &flags, const CommonOptions &common) {
     const FigureRequest request = request_of(flags, common);
-    make_folder(flags.out); // before the work, not after it
+    make_folder("--out", flags.out, {"index.md"}); // before the work, not after it
     note_missing_font(request.pair.language, "pictures");
     DrawingSession session(common);
     Renderer &renderer = session.renderer();
@@ -91,13 +92,14 @@ int run_figures(const FiguresFlags &flags, const CommonOptions &common) {
             return true;
         });
     }
-    // Only now, and the page last: an interrupt leaves what an earlier run wrote.
+    std::vector<OutputFile> files; // only now: an interrupt leaves what an earlier run wrote
     for (const Figure &figure : figures) {
         for (const FigureFile &file : figure.files) {
-            write_output(flags.out / file.name, file.bytes);
+            files.push_back({flags.out / file.name, file.bytes});
         }
     }
-    write_output(flags.out / "index.md", figures_page(request, draw, figures));
+    files.push_back({flags.out / "index.md", figures_page(request, draw, figures)});
+    write_files(files);
     return 0;
 }
 

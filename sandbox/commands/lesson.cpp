@@ -1,10 +1,10 @@
 #include "commands/commands.h"
 
 #include "capture/slide.h"
-#include "commands/interrupt.h"
 #include "commands/progress_bar.h"
 #include "commands/session.h"
 #include "image/png.h"
+#include "image/write_files.h"
 #include "teach/lesson_read.h"
 #include "teach/lesson_report.h"
 #include "ui/views/painters.h"
@@ -22,11 +22,12 @@ struct LessonFlags {
     std::string language{languages.front()};
 };
 
-/// The page and the slides. An error names the step.
+/// The page and the slides, together. An error names the step.
 void write_lesson(const Words &words, const MeasuredLesson &measured, const std::filesystem::path &out,
                   DrawingSession &session) {
     const Lesson &lesson = measured.lesson;
     std::vector<ByteImage> slides;
+    std::vector<OutputFile> files;
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
         const LessonStep &step = lesson.steps[i];
         slides.push_back(with_flag(fmt::format("{}: steps[{}]", lesson.name, i), [&] {
@@ -34,9 +35,11 @@ void write_lesson(const Words &words, const MeasuredLesson &measured, const std:
             options.language = words.language();
             return show_picture(step.scene, options, painters_of(session.renderer(), options.drawn_over));
         }));
-        write_output(out / fmt::format("{}-{:02}.png", lesson.name, i + 1), encode_png(slides.back()));
+        files.push_back({out / fmt::format("{}-{:02}.png", lesson.name, i + 1), encode_png(slides.back())});
     }
-    write_output(out / (lesson.name + ".html"), lesson_html(words, measured, slides, session.context().renderer()));
+    files.push_back(
+        {out / (lesson.name + ".html"), lesson_html(words, measured, slides, session.context().renderer())});
+    write_files(files);
 }
 
 int run_lesson(const LessonFlags &flags, const CommonOptions &common) {
@@ -48,7 +51,7 @@ int run_lesson(const LessonFlags &flags, const CommonOptions &common) {
                                         : gallery ? builtin_bugs(assets, words)
                                                   : std::vector{open_lesson(flags.lesson, assets, words)};
     if (!flags.out.empty()) {
-        make_folder(flags.out);
+        make_folder("--out", flags.out, {all || gallery ? std::string("index.html") : lessons.front().name + ".html"});
     }
     DrawingSession session(common);
     const std::string renderer = session.context().renderer();
@@ -69,7 +72,7 @@ int run_lesson(const LessonFlags &flags, const CommonOptions &common) {
         bar.report(static_cast<double>(measured.size()) / static_cast<double>(lessons.size()));
     }
     if (!flags.out.empty() && (all || gallery)) {
-        write_output(flags.out / "index.html", all ? lessons_index(words, measured) : gallery_sheet(words, measured));
+        write_file(flags.out / "index.html", all ? lessons_index(words, measured) : gallery_sheet(words, measured));
     }
     if (flags.json) {
         print(lessons_json(measured, renderer));

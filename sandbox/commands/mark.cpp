@@ -1,10 +1,10 @@
 #include "commands/commands.h"
 
 #include "commands/answers.h"
-#include "commands/interrupt.h"
 #include "commands/progress_bar.h"
 #include "commands/session.h"
 #include "image/plain_text.h"
+#include "image/write_files.h"
 #include "teach/marking/answer_names.h"
 #include "teach/marking/exercise_read.h"
 #include "teach/marking/marks_page.h"
@@ -15,6 +15,7 @@
 #include <chrono>
 #include <fmt/format.h>
 #include <iterator>
+#include <utility>
 
 namespace sandbox {
 namespace {
@@ -40,20 +41,22 @@ Mark marked(Marker &marker, const AnswerFile &file) {
 }
 
 /// A link that lies where a page goes leads elsewhere: it goes, and what it leads to stays.
-void write_inside(const std::filesystem::path &folder, const std::string &name, const std::string &bytes) {
+OutputFile inside(const std::filesystem::path &folder, const std::string &name, std::string bytes) {
     const std::filesystem::path path = folder / name;
     std::error_code ignored;
     if (std::filesystem::is_symlink(path, ignored)) {
         std::filesystem::remove(path, ignored);
     }
-    write_output(path, bytes);
+    return {path, std::move(bytes)};
 }
 
 /// EXERCISE.json as students get it, and EXERCISE.glsl to begin with.
 int write_student_copy(const MarkFlags &flags, const Exercise &exercise, const CommonOptions &common) {
-    make_folder(flags.student);
-    write_inside(flags.student, exercise.name + ".json", student_copy(exercise));
-    write_inside(flags.student, exercise.name + ".glsl", student_file(exercise, ShaderParts(shader_assets(common))));
+    const std::string json = exercise.name + ".json", glsl = exercise.name + ".glsl";
+    make_folder("--student", flags.student, {json, glsl});
+    write_files(std::vector<OutputFile>{
+        inside(flags.student, json, student_copy(exercise)),
+        inside(flags.student, glsl, student_file(exercise, ShaderParts(shader_assets(common))))});
     note(fmt::format("{0}/{1}.json and {0}/{1}.glsl written", plain_text(flags.student.string()), exercise.name));
     return 0;
 }
@@ -61,16 +64,31 @@ int write_student_copy(const MarkFlags &flags, const Exercise &exercise, const C
 void write_all(const Words &words, const MarkFlags &flags, const Exercise &exercise,
                const std::vector<MarkedAnswer> &marks) {
     const std::string json = marks_json(exercise, marks), csv = marks_csv(exercise, marks);
+    std::vector<OutputFile> files;
     if (!flags.out.empty()) {
-        write_inside(flags.out, "marks.json", json);
-        write_inside(flags.out, "marks.csv", csv);
-        write_inside(flags.out, "index.html", marks_index(words, exercise, marks));
+        files.push_back(inside(flags.out, "marks.json", json));
+        files.push_back(inside(flags.out, "marks.csv", csv));
+        files.push_back(inside(flags.out, "index.html", marks_index(words, exercise, marks)));
     }
     if (!flags.json.empty()) {
-        write_output(flags.json, json);
+        files.push_back({flags.json, json});
     }
     if (!flags.csv.empty()) {
-        write_output(flags.csv, csv);
+        files.push_back({flags.csv, csv});
+    }
+    write_files(files);
+}
+
+/// Before the work, not after it.
+void check_outputs(const MarkFlags &flags) {
+    if (!flags.out.empty()) {
+        make_folder("--out", flags.out, {"marks.json", "marks.csv", "index.html"});
+    }
+    if (!flags.json.empty()) {
+        with_flag("--json", [&] { check_writable(flags.json); });
+    }
+    if (!flags.csv.empty()) {
+        with_flag("--csv", [&] { check_writable(flags.csv); });
     }
 }
 
@@ -96,9 +114,7 @@ int run_mark(const MarkFlags &flags, const CommonOptions &common) {
     std::vector<std::string> names;
     std::ranges::transform(files, std::back_inserter(names), &AnswerFile::name);
     const std::vector<std::string> pages = page_names(names);
-    if (!flags.out.empty()) {
-        make_folder(flags.out);
-    }
+    check_outputs(flags);
 
     DrawingSession session(common, DrawingSession::Own::drawn_apart, limits_of_an_answer);
     const MarkDraw draw = marks_drawn_by(session.renderer());
@@ -110,7 +126,8 @@ int run_mark(const MarkFlags &flags, const CommonOptions &common) {
         MarkedAnswer answer{files[i].name, pages[i], marked(marker, files[i]), {}};
         answer.said = sentences(words, exercise, answer.mark, flags.hints);
         if (!flags.out.empty()) {
-            write_inside(flags.out, answer.page, mark_html(words, exercise, answer));
+            const OutputFile page = inside(flags.out, answer.page, mark_html(words, exercise, answer));
+            write_file(page.path, page.bytes);
         }
         answer.mark.student = answer.mark.truth = {};
         marks.push_back(std::move(answer));

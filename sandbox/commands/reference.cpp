@@ -1,7 +1,6 @@
 #include "reference/reference.h"
 
 #include "commands/commands.h"
-#include "commands/interrupt.h"
 #include "commands/progress_bar.h"
 #include "image/image_file.h"
 
@@ -31,7 +30,7 @@ int run_reference(const ReferenceFlags &flags, const CommonOptions &common) {
         });
     });
     const Image picture = to_frame(truth).color;
-    write_output(flags.out, pfm ? encode_pfm(picture) : encode_png(to_display(picture)));
+    write_file(flags.out, pfm ? encode_pfm(picture) : encode_png(to_display(picture)));
     if (common.verbose) {
         note(fmt::format("reference: {:.1f} ms", truth.milliseconds));
     }

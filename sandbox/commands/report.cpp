@@ -4,6 +4,7 @@
 #include "commands/progress_bar.h"
 #include "commands/session.h"
 #include "image/image_file.h"
+#include "image/write_guard.h"
 #include "measure/report/csv.h"
 #include "measure/report/report.h"
 #include "measure/report/report_html.h"
@@ -19,8 +20,6 @@
 
 namespace sandbox {
 namespace {
-
-constexpr int interrupted_code = 130;
 
 struct ReportFlags {
     std::string scene, view;
@@ -93,19 +92,24 @@ int run_report(const ReportFlags &flags, const CommonOptions &common) {
     if (!flags.scene.empty()) {
         scene = open_scene(common, flags.scene, flags.view, plan_options(flags).size);
     }
-    make_folder(flags.out); // before the work, not after it
+    make_folder("--out", flags.out, {"report.json", "report.csv", "report.html"}); // before the work, not after it
     if (scene) {
         runs.insert(runs.begin(), measure(flags, common, options, *scene));
     }
     for (ReportRun &run : runs) {
         run.words = words_in(flags.language, scene_assets(common));
     }
-    write_output(flags.out / "report.json", report_json(runs));
-    write_output(flags.out / "report.csv", report_csv(runs));
-    write_output(flags.out / "report.html", report_html(runs));
+    std::error_code ignored;
+    const bool beside = stopped && std::filesystem::exists(flags.out / "report.json", ignored);
+    const std::string name = beside ? "report-stopped" : "report"; // what is whole stays
+    write_files(std::vector<OutputFile>{{flags.out / (name + ".json"), report_json(runs)},
+                                        {flags.out / (name + ".csv"), report_csv(runs)},
+                                        {flags.out / (name + ".html"), report_html(runs)}});
     if (stopped) {
-        note("stopped: the report holds what was measured until then, and says so");
-        return interrupted_code;
+        note(beside ? "stopped: report-stopped.html, .json and .csv hold what was measured until then; the report that "
+                      "was there stays"
+                    : "stopped: the report holds what was measured until then, and says so");
+        return interrupted_exit;
     }
     return 0;
 }
@@ -131,8 +135,8 @@ void add_report(CLI::App &app, CommonOptions &common, Run &run) {
         "on the scene's own meshes, judges each against the double-precision truth, and times all of them in\n"
         "turns, after 4 rounds that are dropped. A row of which less than half is compared is marked and never\n"
         "recommended. The clock is the GPU's timer if a long draw shows that it agrees with the wall clock, else the\n"
-        "wall clock around draw and glFinish. Ctrl-C stops the measuring and writes what there is (exit code 130); a\n"
-        "second Ctrl-C ends at once.");
+        "wall clock around draw and glFinish. Ctrl-C stops the measuring and writes what there is (exit code 130),\n"
+        "beside a report that is there already as report-stopped; a second Ctrl-C ends at once.");
     run_when_chosen(command, common, run, flags, run_report);
 }
 

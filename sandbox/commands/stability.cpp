@@ -1,8 +1,8 @@
 #include "commands/commands.h"
 
-#include "commands/interrupt.h"
 #include "commands/progress_bar.h"
 #include "commands/session.h"
+#include "image/write_files.h"
 #include "measure/report/stability_report.h"
 
 namespace sandbox {
@@ -25,7 +25,7 @@ int run_stability(const StabilityFlags &flags, const CommonOptions &common) {
     if (cases.empty()) {
         throw InputError("--assets: expected cases in {}, found none", (assets.folder() / "stability/cases").string());
     }
-    make_folder(flags.out);
+    make_folder("--out", flags.out, {"stability.json", "stability.csv", "stability.html"});
     DrawingSession session(common);
     Target target(stability_timed_size);
     const StabilityDraw draw = cases_drawn_by(session.renderer(), target);
@@ -41,9 +41,9 @@ int run_stability(const StabilityFlags &flags, const CommonOptions &common) {
         bar.report(static_cast<double>(i + 1) / static_cast<double>(cases.size()));
     }
     const std::string json = stability_json(run);
-    write_output(flags.out / "stability.json", json);
-    write_output(flags.out / "stability.csv", stability_csv(run));
-    write_output(flags.out / "stability.html", stability_html(run));
+    write_files(std::vector<OutputFile>{{flags.out / "stability.json", json},
+                                        {flags.out / "stability.csv", stability_csv(run)},
+                                        {flags.out / "stability.html", stability_html(run)}});
     print(flags.json ? json : stability_table(run));
     return passed ? 0 : 1;
 }

@@ -1,6 +1,5 @@
 #include "commands/commands.h"
 
-#include "commands/interrupt.h"
 #include "commands/own_flags.h"
 #include "commands/session.h"
 #include "image/image_file.h"
@@ -95,7 +94,7 @@ int run_time(const TimeFlags &flags, const CommonOptions &common) {
         timed.print_batch(frames);
     }
     if (!flags.out.empty()) {
-        write_output(flags.out, encode_png(to_display(timed.picture())));
+        write_file(flags.out, encode_png(to_display(timed.picture())));
     }
     return 0;
 }

@@ -34,21 +34,6 @@ std::string_view kind_of(mode_t mode) {
                                             : "another kind of file";
 }
 
-bool write_whole(const fs::path &path, std::string_view bytes) {
-    File file(std::fopen(path.c_str(), "wb"), std::fclose);
-    if (!file) {
-        return false;
-    }
-    const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
-    return std::fclose(file.release()) == 0 && written;
-}
-
-/// Devices and pipes are written in place: renaming a file over /dev/stdout would replace it.
-bool written_in_place(const fs::path &path) {
-    std::error_code ignored;
-    return fs::exists(path, ignored) && !fs::is_regular_file(path, ignored);
-}
-
 } // namespace
 
 FileReader::FileReader(fs::path path, std::size_t most)
@@ -93,24 +78,6 @@ std::string read_file(const fs::path &path, std::size_t most) {
         bytes.append(block.data(), count);
     }
     return bytes;
-}
-
-void write_file(const fs::path &path, std::string_view bytes) {
-    std::error_code ignored;
-    const fs::path target = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path, ignored) : path;
-    if (written_in_place(target)) {
-        if (!write_whole(target, bytes)) {
-            refuse(path, "cannot write the file", errno);
-        }
-        return;
-    }
-    fs::path temporary = target;
-    temporary += fmt::format(".{}.part", ::getpid());
-    if (!write_whole(temporary, bytes) || std::rename(temporary.c_str(), target.c_str()) != 0) {
-        const int error = errno;
-        fs::remove(temporary, ignored);
-        refuse(path, "cannot write the file", error);
-    }
 }
 
 } // namespace sandbox

@@ -31,7 +31,5 @@ class FileReader {
 /// The whole of a regular file; a pipe or a device may never end. Throws InputError naming it, before anything is read
 /// if it has more than `most` bytes.
 std::string read_file(const std::filesystem::path &path, std::size_t most = largest_file);
-/// Writes to a temporary name beside `path` and renames: whole or not at all. Throws InputError naming the path.
-void write_file(const std::filesystem::path &path, std::string_view bytes);
 
 } // namespace sandbox

@@ -4,6 +4,7 @@
 #include "image/image.h"
 #include "image/pfm.h"
 #include "image/png.h"
+#include "image/write_files.h"
 
 #include <string_view>
 

@@ -2,6 +2,7 @@
 
 #include "image/error.h"
 #include "render/egl_context.h"
+#include "render/lost_display.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -60,6 +61,7 @@ class HiddenWindow {
         if (glfwInit() != GLFW_TRUE) {
             throw MachineError("--backend glfw needs a display server, found none: set DISPLAY, or use --backend egl");
         }
+        end_when_display_is_lost();
         set_context_hints(profile);
         glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
         window_ = glfwCreateWindow(16, 16, "shading-sandbox", nullptr, nullptr);

@@ -5,15 +5,17 @@
 #include "scene/embedded.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <utility>
 
 namespace sandbox {
 namespace fs = std::filesystem;
 
 Assets::Assets(std::string root, fs::path folder) : root_(std::move(root)), folder_(std::move(folder)) {
-    std::error_code ignored;
-    if (!folder_.empty() && !fs::is_directory(folder_, ignored)) {
-        throw InputError("--{} {}: expected a folder", root_, folder_.string());
+    std::error_code failed;
+    if (!folder_.empty() && !fs::is_directory(folder_, failed)) {
+        throw InputError("--{} {}: expected a folder{}", root_, folder_.string(),
+                         failed ? fmt::format(" ({})", failed.message()) : "");
     }
 }
 
@@ -21,7 +23,9 @@ std::optional<std::string> Assets::read(std::string_view path) const {
     if (!folder_.empty()) {
         std::error_code ignored;
         const fs::path file = folder_ / path;
-        return fs::is_regular_file(file, ignored) ? std::optional(read_file(file)) : std::nullopt;
+        const fs::file_type type = fs::status(file, ignored).type(); // none: it may not be looked at, and that is said
+        const bool missing = type == fs::file_type::not_found || type == fs::file_type::directory;
+        return missing ? std::nullopt : std::optional(read_file(file));
     }
     const std::string full = root_ + "/" + std::string(path);
     const auto files = embedded_files();

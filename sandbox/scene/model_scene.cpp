@@ -4,6 +4,7 @@
 #include "scene/mesh.h"
 #include "scene/model_objects.h"
 #include "scene/obj_reader.h"
+#include "scene/scene_format.h"
 #include "scene/space.h"
 
 #include <algorithm>
@@ -44,7 +45,10 @@ Camera camera_around(const Bounds &bounds, double aspect) {
     const double radius = glm::length(bounds.high - bounds.low) / 2;
     const glm::dvec3 offset = radius * glm::dvec3(0.9, 0.8, 2.6); // all of the ball around it is within the height
     camera.position = camera.target + offset;
-    const double back = std::max(1.0, distance_for_width(camera, bounds, aspect) / glm::length(offset));
+    const double room = camera_coordinate.high - std::max({std::abs(camera.target.x), std::abs(camera.target.y),
+                                                           std::abs(camera.target.z)}); // a scene file's
+    const double back = std::clamp(distance_for_width(camera, bounds, aspect) / glm::length(offset), 1.0,
+                                   std::max(1.0, room / offset.z));
     camera.position = camera.target + back * offset;
     camera.near_plane = radius * 0.05;
     camera.far_plane = radius * 50 * back;

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 #include <nlohmann/json.hpp>
 #include <type_traits>
 #include <utility>
@@ -78,8 +80,17 @@ void orbit_light(Light &light, const Camera &camera, double degrees) {
     Camera stand = camera;
     stand.position = light.position;
     light.position = orbit_camera(stand, degrees).position;
-    stand.position = camera.target + light.direction;
-    light.direction = degrees == 0 ? light.direction : orbit_camera(stand, degrees).position - camera.target;
+    stand.position = light.direction;
+    stand.target = {}; // added to a far target, a direction would lose its digits
+    light.direction = orbit_camera(stand, degrees).position;
+}
+
+/// What moves must stay where a scene file can say it is.
+void expect_within(const Range &range, const glm::dvec3 &position, const Motion &motion) {
+    if (glm::any(glm::greaterThan(glm::abs(position), glm::dvec3(range.high)))) {
+        throw InputError("motion: {}: expected coordinates within {:g}, got {:g}, {:g}, {:g}", motion_words(motion),
+                         range.high, position.x, position.y, position.z);
+    }
 }
 
 template <class Things> auto &thing(Things &things, const Motion &motion, const char *name) {
@@ -108,9 +119,12 @@ Scene moved(const Scene &scene, const Motion &motion, int moment) {
     switch (motion.mover) {
     case Mover::camera:
         now.camera = orbit_camera(scene.camera, value);
+        expect_within(camera_coordinate, now.camera.position, motion);
         break;
     case Mover::light:
         orbit_light(thing(now.lights, motion, "light"), scene.camera, value);
+        expect_within(coordinate, now.lights[motion.index].position, motion);
+        expect_within(direction, now.lights[motion.index].direction, motion);
         break;
     case Mover::object:
         thing(now.objects, motion, "object").transform.rotate_degrees.y += value;

@@ -14,7 +14,7 @@ namespace sandbox {
 
 namespace {
 
-bool in_world(glm::dvec3 p) { return glm::all(glm::lessThanEqual(glm::abs(p), glm::dvec3(coordinate.high))); }
+bool in_world(glm::dvec3 p) { return glm::all(glm::lessThanEqual(glm::abs(p), glm::dvec3(camera_coordinate.high))); }
 
 /// Rodrigues' rotation of `v` about the unit `axis`, right-handed.
 glm::dvec3 rotate_about(glm::dvec3 v, glm::dvec3 axis, double radians) {

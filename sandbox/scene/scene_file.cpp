@@ -58,7 +58,16 @@ Scene parse_scene(std::string_view text, std::string_view name, const fs::path &
     return read_scene(sidecar ? json["scene"] : json, name, folder);
 }
 
-std::string scene_text(const Scene &scene) { return print_json(write_scene(scene, Keys::needed)); }
+std::string scene_text(const Scene &scene, const fs::path &folder) {
+    Scene written = scene;
+    for (Object &object : written.objects) {
+        object.material.texture = path_from(object.material.texture, folder);
+        if (auto *obj = std::get_if<ObjShape>(&object.mesh)) {
+            obj->path = path_from(obj->path, folder);
+        }
+    }
+    return print_json(write_scene(written, Keys::needed));
+}
 
 Scene open_scene(std::string_view name_or_path, const Assets &assets) {
     if (const auto text = assets.read(scene_path(name_or_path))) {

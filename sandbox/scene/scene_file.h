@@ -20,8 +20,8 @@ Scene open_scene(std::string_view name_or_path, const Assets &assets);
 Scene parse_scene(std::string_view text, std::string_view name, const std::filesystem::path &folder);
 
 /// The scene as JSON text (two-space indent); keys at their defaults are left out. Reading it back gives an equal
-/// scene.
-std::string scene_text(const Scene &scene);
+/// scene. For a file in `folder` (empty: for no file) paths are relative to that where they can be, see path_from().
+std::string scene_text(const Scene &scene, const std::filesystem::path &folder = {});
 
 /// Names of the built-in scenes, in the order they are taught.
 std::vector<std::string> builtin_scenes(const Assets &assets);

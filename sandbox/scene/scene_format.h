@@ -43,6 +43,7 @@ constexpr Range any{};
 constexpr Range linear_rgb{.low = 0, .high = 1e6, .a_color = true};
 constexpr Range intensity{.low = 0, .high = 1e6, .slider = {0, 2, "%.3f"}};
 constexpr Range coordinate{.low = -1e9, .high = 1e9, .slider = {-10, 10, "%.2f"}, .unit = "units"};
+constexpr Range camera_coordinate{.low = -1e10, .high = 1e10, .unit = "units"}; // around all that has coordinates
 constexpr Range direction{.low = -1e9, .high = 1e9, .a_direction = true, .slider = {-1, 1, "%.2f"}};
 constexpr Range rotation{.low = -1e9, .high = 1e9, .slider = {-180, 180, "%.1f"}, .unit = "degrees"};
 constexpr Range scale_factor{.low = -1e15, .high = 1e15, .slider = {0, 3}};
@@ -169,8 +170,8 @@ inline constexpr auto format_of<Light> = format(
 template <>
 inline constexpr auto format_of<Camera> = format(
     "camera", "Where the scene is seen from.",
-    field("position", &Camera::position, coordinate, "The eye, in world space."),
-    field("target", &Camera::target, coordinate, "What it looks at; not the eye itself."),
+    field("position", &Camera::position, camera_coordinate, "The eye, in world space."),
+    field("target", &Camera::target, camera_coordinate, "What it looks at; not the eye itself."),
     field("up", &Camera::up, direction, "Which way is up in the picture."),
     field("projection", &Camera::projection, any,
           "orthographic: what is far looks as large as what is near, and V is the same at every point."),

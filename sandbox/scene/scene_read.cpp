@@ -3,6 +3,7 @@
 #include "image/plain_text.h"
 #include "scene/model_objects.h"
 #include "scene/obj_reader.h"
+#include "scene/space.h"
 #include "scene/table_read.h"
 
 #include <algorithm>
@@ -99,6 +100,14 @@ class Reader : public TableReader<Reader, Json> {
         if (camera.target == camera.position) {
             refuse(below(path, "target"), "expected a point other than the camera's position");
         }
+        if (up_is_along_view(camera)) {
+            const glm::dvec3 &up = camera.up;
+            refuse(
+                below(path, "up"),
+                fmt::format("expected a direction other than the view's, from position to target, got {}[{}, {}, {}]",
+                            json.contains("up") ? "" : "the usual ", number_text(up.x), number_text(up.y),
+                            number_text(up.z)));
+        }
         if (is_orthographic(camera) && json.contains("fov_y_degrees")) {
             refuse(below(path, "fov_y_degrees"), "expected height in its place beside projection orthographic");
         }
@@ -191,7 +200,31 @@ std::string resolve_path(const std::string &path, const std::filesystem::path &f
     if (bare && (folder.empty() || missing())) {
         return path;
     }
-    return checked_path(fs::absolute(folder / given).lexically_normal());
+    // Above a folder that is a link lies what is above the folder that it leads to.
+    const bool climbs = given.begin() != given.end() && *given.begin() == "..";
+    const fs::path real = climbs ? fs::weakly_canonical(folder, ignored) : fs::path();
+    return checked_path(fs::absolute((real.empty() ? folder : real) / given).lexically_normal());
+}
+
+std::string path_from(const std::string &path, const std::filesystem::path &folder) {
+    namespace fs = std::filesystem;
+    const fs::path file(path);
+    if (folder.empty() || !file.is_absolute()) {
+        return path;
+    }
+    fs::path base = fs::absolute(folder).lexically_normal() / "";
+    fs::path way = file.lexically_relative(base);
+    if (*way.begin() == "..") {
+        std::error_code failed;
+        base = fs::weakly_canonical(base, failed) / "";
+        const fs::path parent = fs::weakly_canonical(file.parent_path(), failed);
+        way = (parent / file.filename()).lexically_relative(base);
+        const auto climbs = std::ranges::count(way, fs::path(".."));
+        if (failed || climbs + 2 == std::distance(base.begin(), base.end())) { // up to the root
+            return path;
+        }
+    }
+    return way.has_parent_path() ? way.string() : "./" + way.string(); // a bare name may be a built-in one
 }
 
 } // namespace sandbox

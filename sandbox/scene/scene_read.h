@@ -17,4 +17,8 @@ std::string checked_path(const std::filesystem::path &path);
 /// one.
 std::string resolve_path(const std::string &path, const std::filesystem::path &folder);
 
+/// The other way round: an absolute path as a file in `folder` says it, so that it holds when both are moved: relative,
+/// with a "/", unless the two have nothing but the root in common. Other paths stay.
+std::string path_from(const std::string &path, const std::filesystem::path &folder);
+
 } // namespace sandbox

@@ -23,7 +23,6 @@ class Setting {
 
     /// A texture or model is looked for in `folder`.
     void apply(Json &scene, std::string_view text, const std::filesystem::path &folder) {
-        Json value = parse_value(text);
         Json *parent = nullptr;
         Json *at = &scene;
         std::string key; ///< the last step; empty: an index
@@ -32,6 +31,7 @@ class Setting {
             key = rest_.starts_with('[') ? "" : take_key();
             at = key.empty() ? &element(*at, take_index()) : &member(*at, key);
         }
+        Json value = at->is_string() && !text.starts_with('"') ? Json(text) : parse_value(text); // name=5 is a text
         if ((key == "texture" || key == "obj") && value.is_string()) {
             value = resolve_path(value.get<std::string>(), folder);
         }
@@ -151,8 +151,10 @@ void keep_meshes(const Scene &from, Scene &to) {
 Scene with_settings(const Scene &scene, std::span<const std::string> settings, std::string_view name,
                     const std::filesystem::path &folder) {
     Json json = write_scene(scene, Keys::all);
+    Scene changed = scene;
     bool names_files = false;
-    for (const std::string_view setting : settings) {
+    for (std::size_t i = 0; i < settings.size(); ++i) {
+        const std::string_view setting = settings[i];
         const std::size_t equals = setting.find('=');
         const std::string_view path = setting.substr(0, equals);
         const std::string label = fmt::format("{} {}", name, path);
@@ -164,11 +166,18 @@ Scene with_settings(const Scene &scene, std::span<const std::string> settings, s
         }
         Setting(path, label).apply(json, setting.substr(equals + 1), folder);
         names_files = names_files || path.ends_with("texture") || path.ends_with("obj");
+        try {
+            changed = read_scene(json, name, {});
+            json = write_scene(changed, Keys::all); // a new shape has its other keys for the next setting
+        } catch (const InputError &) { // which the next one may put right: a camera's position, then its up
+            if (i + 1 == settings.size()) {
+                throw;
+            }
+        }
     }
-    Scene set = read_scene(json, name, {});
-    set.looked_in = names_files ? LookedIn{folder.string()} : scene.looked_in;
-    keep_meshes(scene, set);
-    return set;
+    changed.looked_in = names_files ? LookedIn{folder.string()} : scene.looked_in;
+    keep_meshes(scene, changed);
+    return changed;
 }
 
 Scene with_setting(const Scene &scene, std::string_view path_equals_value) {

@@ -103,11 +103,17 @@ bool scales_evenly(const glm::dmat3 &linear) {
     return scale > 0 && off <= 1e-12 * scale;
 }
 
+bool up_is_along_view(const Camera &camera) {
+    const glm::dvec3 side = glm::cross(unit(camera.target - camera.position), unit(camera.up));
+    // 1e-9: an up this close to the view leaves fewer than half of a double's digits in the cross product; the picture
+    // turns by 1e-16 / 1e-9 of a circle, which still moves no pixel, and by more from here on.
+    return glm::dot(side, side) < 1e-18;
+}
+
 CameraAxes camera_axes(const Camera &camera) {
     const glm::dvec3 forward = unit(camera.target - camera.position);
     glm::dvec3 side = glm::cross(forward, unit(camera.up));
-    // 1e-9: an up this close to the view leaves fewer than half of a double's digits in the cross product.
-    if (glm::dot(side, side) < 1e-18) {
+    if (up_is_along_view(camera)) {
         const glm::dvec3 another_up = std::abs(forward.z) < 0.9 ? glm::dvec3(0, 0, -1) : glm::dvec3(0, 1, 0);
         side = glm::cross(forward, another_up);
     }

@@ -33,7 +33,10 @@ bool back_faces_hidden(const Camera &camera, double aspect, const Transform &tra
 struct CameraAxes {
     glm::dvec3 right, up, forward;
 };
-/// Robust where `up` is parallel to the view (another up is chosen).
+/// Whether `up` points along the view, or so nearly (to 1e-9) that rounding turns the picture: no scene file may say
+/// so.
+bool up_is_along_view(const Camera &camera);
+/// Robust where `up` is along the view (another up is chosen).
 CameraAxes camera_axes(const Camera &camera);
 /// From world axes to the camera's: right, up, back.
 glm::dmat3 world_to_view_axes(const Camera &camera);

@@ -3,8 +3,9 @@
 namespace sandbox {
 
 std::string number_text(double value) {
-    const double power = std::log10(value);
-    return value >= 1e5 && power == std::floor(power) ? fmt::format("1e{:.0f}", power) : fmt::format("{:.9g}", value);
+    const double power = std::log10(std::abs(value));
+    return std::abs(value) >= 1e5 && power == std::floor(power) ? fmt::format("{}1e{:.0f}", value < 0 ? "-" : "", power)
+                                                                : fmt::format("{:.9g}", value);
 }
 
 std::string broken_rule(double value, const Range &range, std::string_view noun) {
@@ -16,8 +17,14 @@ std::string broken_rule(double value, const Range &range, std::string_view noun)
         return fmt::format("{} from {} to {}, or {}", noun, number_text(range.low), number_text(range.high),
                            number_text(range.or_exactly));
     }
-    return low ? fmt::format("{} {} {}", noun, range.above_low ? ">" : ">=", number_text(range.low))
-               : fmt::format("{} <= {}", noun, number_text(range.high));
+    if (low && (range.low == 0 || std::isinf(range.high))) {
+        return fmt::format("{} {} {}", noun, range.above_low ? ">" : ">=", number_text(range.low));
+    }
+    if (std::isinf(range.low)) {
+        return fmt::format("{} <= {}", noun, number_text(range.high));
+    }
+    return fmt::format("{} {} {}{} {}", noun, range.above_low ? "above" : "from", number_text(range.low),
+                       range.above_low ? ", at most" : " to", number_text(range.high));
 }
 
 std::string below(const std::string &path, std::string_view key) {

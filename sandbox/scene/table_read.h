@@ -18,9 +18,9 @@
 /// Reading JSON objects by tables such as those of scene_format.h: scenes, and lessons.
 namespace sandbox {
 
-/// 1e9 rather than 1e+09.
+/// 1e9 rather than 1e+09, -1e9 rather than -1000000000.
 std::string number_text(double value);
-/// What is wrong with a number, as `<noun> >= 0`; empty: nothing.
+/// What is wrong with a number, as `<noun> >= 0`, or, beyond the other end, `<noun> from 0 to 1e6`; empty: nothing.
 std::string broken_rule(double value, const Range &range, std::string_view noun);
 /// The path of a key below `path` ("lights[0].diffuse"), and of an element of an array.
 std::string below(const std::string &path, std::string_view key);

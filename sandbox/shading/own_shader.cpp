@@ -30,7 +30,8 @@ OwnShader read_own(const std::string &file) {
     }
     std::error_code failed;
     if (!std::filesystem::is_regular_file(file, failed)) {
-        throw InputError("'{}': expected a file of GLSL text", file);
+        throw InputError("'{}': expected a file of GLSL text{}", file,
+                         failed ? fmt::format(" ({})", failed.message()) : "");
     }
     const std::uintmax_t size = std::filesystem::file_size(file, failed);
     if (size > most_own_bytes) {

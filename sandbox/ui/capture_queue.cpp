@@ -9,6 +9,7 @@
 #include <exception>
 #include <filesystem>
 #include <utility>
+#include <vector>
 
 namespace sandbox {
 
@@ -18,8 +19,9 @@ namespace {
 std::string write_picture(const ShownPicture &picture, Renderer &renderer, const DrawnBy &by) {
     const auto path = std::filesystem::absolute(free_name(capture_folder(), picture.name));
     const Painters painters = painters_of(renderer, on_surfaces(picture.options.drawn_over, picture.options.layout));
-    write_file(path, encode_png(show_picture(picture.scene, picture.options, painters)));
-    write_file(sidecar_path(path), sidecar_text(picture.scene, picture.options, by));
+    write_files(std::vector<OutputFile>{
+        {path, encode_png(show_picture(picture.scene, picture.options, painters))},
+        {sidecar_path(path), sidecar_text(picture.scene, picture.options, by, path.parent_path())}});
     return path.string();
 }
 

@@ -2,6 +2,7 @@
 
 #include "image/error.h"
 #include "render/glfw_context.h"
+#include "render/lost_display.h"
 #include "ui/keys.h"
 #include "ui/session/settings.h"
 
@@ -51,6 +52,7 @@ GlfwWindow::GlfwWindow(Size size, Profile profile) {
             "no window can be opened here (" + glfw_error() +
             "): run this in a desktop session, or use `shading-sandbox capture`, which needs no display");
     }
+    end_when_display_is_lost();
     set_hints(profile);
     window_ = glfwCreateWindow(size.width, size.height, "Shading Sandbox", nullptr, nullptr);
     if (window_ == nullptr) {

@@ -354,7 +354,7 @@ void Window::save(const std::string &path) {
         if (!file.has_extension()) {
             file += ".json";
         }
-        write_file(file, scene_text(session_.document.scene));
+        write_file(file, scene_text(session_.document.scene, file.parent_path()));
         add_recent(settings_, file);
         session_.message = {session_.text("message.saved", file.string()), false};
     });

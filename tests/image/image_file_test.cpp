@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 
 namespace sandbox {
 namespace {
@@ -89,64 +88,6 @@ TEST(Jpeg, SurvivesAnyChangedByte) {
             }
         }
     }
-}
-
-TEST(WriteFile, ReplacesTheWholeFileAndLeavesNoOther) {
-    const TemporaryFolder folder;
-    write_file(folder.path() / "a.txt", "the first, longer text");
-    write_file(folder.path() / "a.txt", std::string("b\0c", 3));
-    EXPECT_EQ(read_file(folder.path() / "a.txt"), std::string("b\0c", 3));
-    EXPECT_EQ(folder.names().size(), 1U);
-}
-
-TEST(WriteFile, NamesTheFileThatItCannotWrite) {
-    const TemporaryFolder folder;
-    const fs::path path = folder.path() / "missing" / "a.txt";
-    EXPECT_EQ(error_of([&] { write_file(path, "x"); }),
-              path.string() + ": cannot write the file (No such file or directory)");
-    EXPECT_NE(error_of([&] { write_file(folder.path(), "x"); }), "no error"); // a folder
-    EXPECT_EQ(folder.names().size(), 0U);
-}
-
-TEST(WriteFile, WritesDevicesInPlaceAndThroughLinks) {
-    write_file("/dev/null", "x");
-    EXPECT_FALSE(fs::is_regular_file("/dev/null"));
-    const TemporaryFolder folder;
-    write_file(folder.path() / "a.txt", "x");
-    fs::create_symlink(folder.path() / "a.txt", folder.path() / "link.txt");
-    write_file(folder.path() / "link.txt", "y");
-    EXPECT_EQ(read_file(folder.path() / "a.txt"), "y");
-    EXPECT_TRUE(fs::is_symlink(folder.path() / "link.txt"));
-}
-
-TEST(ReadFile, NamesTheFileThatItCannotRead) {
-    EXPECT_EQ(error_of([] { read_file("/no/such.txt"); }),
-              "/no/such.txt: cannot read the file (No such file or directory)");
-    EXPECT_EQ(error_of([] { read_file("/tmp"); }), "/tmp: cannot read the file (Is a directory)");
-}
-
-TEST(ReadFile, ReadsRegularFilesAlone) {
-    const TemporaryFolder folder;
-    const fs::path pipe = folder.path() / "pipe";
-    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-    EXPECT_EQ(error_of([&] { read_file(pipe); }), pipe.string() + ": expected a regular file, got a pipe");
-    EXPECT_EQ(error_of([] { read_file("/dev/zero"); }), "/dev/zero: expected a regular file, got a device");
-    write_file(folder.path() / "a.txt", "text");
-    fs::create_symlink(folder.path() / "a.txt", folder.path() / "link.txt");
-    EXPECT_EQ(read_file(folder.path() / "link.txt"), "text");
-    EXPECT_FALSE(read_file("/proc/self/status").empty()) << "a regular file of no size";
-}
-
-TEST(ReadFile, LooksAtTheSizeFirst) {
-    const TemporaryFolder folder;
-    const fs::path path = folder.path() / "large";
-    write_file(path, "");
-    fs::resize_file(path, std::uintmax_t{1} << 40); // 1 TiB of nothing
-    EXPECT_EQ(error_of([&] { read_file(path); }), path.string() + ": the file is larger than 1024 MiB");
-    fs::resize_file(path, 1 << 20);
-    EXPECT_EQ(read_file(path, 1 << 20).size(), std::size_t{1} << 20);
-    fs::resize_file(path, (1 << 20) + 1);
-    EXPECT_EQ(error_of([&] { read_file(path, 1 << 20); }), path.string() + ": the file is larger than 1 MiB");
 }
 
 } // namespace

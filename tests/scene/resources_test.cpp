@@ -117,7 +117,7 @@ TEST(Assets, KnowNothingElse) {
     EXPECT_FALSE(Assets("assets").read("scenes/none.json"));
     EXPECT_FALSE(Assets("assets", std::filesystem::path(SOURCE_DIR) / "assets").read("scenes"));
     EXPECT_EQ(error_of([] { const Assets missing("assets", "/no/such/folder"); }),
-              "--assets /no/such/folder: expected a folder");
+              "--assets /no/such/folder: expected a folder (No such file or directory)");
 }
 
 TEST(Resources, RepeatsAreThoseOfAMaterialWithATexture) {

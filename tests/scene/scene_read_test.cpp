@@ -103,21 +103,23 @@ TEST(SceneRead, TakesWhatTheFormatNeedNotBeToldTwice) {
 TEST(SceneErrors, NumbersOutOfRange) {
     EXPECT_EQ(light_error(R"("attenuation": {"linear": -1})"), "attenuation.linear: expected a number >= 0, got -1");
     EXPECT_EQ(light_error(R"("attenuation": {"quadratic": 2e9})"),
-              "attenuation.quadratic: expected a number <= 1e9, got 2000000000.0");
-    EXPECT_EQ(light_error(R"("diffuse": 1000001)"), "diffuse: expected a number <= 1e6, got 1000001");
+              "attenuation.quadratic: expected a number from 0 to 1e9, got 2000000000.0");
+    EXPECT_EQ(light_error(R"("diffuse": 1000001)"), "diffuse: expected a number from 0 to 1e6, got 1000001");
     EXPECT_EQ(light_error(R"("ambient": -0.5)"), "ambient: expected a number >= 0, got -0.5");
     EXPECT_EQ(light_error(R"("specular": -1e-300)"), "specular: expected a number >= 0, got -1e-300");
     EXPECT_EQ(light_error(R"("color": [0, -1, 0])"), "color[1]: expected a number >= 0, got -1");
-    EXPECT_EQ(light_error(R"("exponent": 100001)"), "exponent: expected a number <= 1e5, got 100001");
+    EXPECT_EQ(light_error(R"("exponent": 100001)"), "exponent: expected a number from 0 to 1e5, got 100001");
     EXPECT_EQ(light_error(R"("cutoff_degrees": 91)"), "cutoff_degrees: expected a number from 0 to 90, or 180, got 91");
     EXPECT_EQ(light_error(R"("cutoff_degrees": -1)"), "cutoff_degrees: expected a number from 0 to 90, or 180, got -1");
     EXPECT_EQ(error(R"({"lights": [{"type": "point", "position": [0, 1.5e9, 0]}]})"),
-              "a.json: lights[0].position[1]: expected a number <= 1e9, got 1500000000.0");
+              "a.json: lights[0].position[1]: expected a number from -1e9 to 1e9, got 1500000000.0");
     EXPECT_EQ(error(R"({"blinn_exponent_scale": 0})"), "a.json: blinn_exponent_scale: expected a number > 0, got 0");
     EXPECT_EQ(error(R"({"blinn_exponent_scale": 16.5})"),
-              "a.json: blinn_exponent_scale: expected a number <= 16, got 16.5");
+              "a.json: blinn_exponent_scale: expected a number above 0, at most 16, got 16.5");
     EXPECT_EQ(error(R"({"camera": {"fov_y_degrees": 180}})"),
-              "a.json: camera.fov_y_degrees: expected a number <= 179, got 180");
+              "a.json: camera.fov_y_degrees: expected a number above 0, at most 179, got 180");
+    EXPECT_EQ(error(R"({"camera": {"position": [0, 2e10, 1]}})"),
+              "a.json: camera.position[1]: expected a number from -1e10 to 1e10, got 20000000000.0");
     EXPECT_EQ(error(R"({"camera": {"projection": "orthographic"}})"),
               "a.json: camera.height: missing; expected a number");
     EXPECT_EQ(error(R"({"camera": {"projection": "orthographic", "height": 0}})"),
@@ -126,15 +128,30 @@ TEST(SceneErrors, NumbersOutOfRange) {
               "a.json: camera.fov_y_degrees: expected height in its place beside projection orthographic");
     EXPECT_EQ(error(R"({"camera": {"near": 0}})"), "a.json: camera.near: expected a number > 0, got 0");
     EXPECT_EQ(error(R"({"background": [0, 0, -1]})"), "a.json: background[2]: expected a number >= 0, got -1");
-    EXPECT_EQ(material_error(R"("shininess": 10000001)"), "material.shininess: expected a number <= 1e7, got 10000001");
+    EXPECT_EQ(material_error(R"("shininess": 10000001)"),
+              "material.shininess: expected a number from 0 to 1e7, got 10000001");
     EXPECT_EQ(material_error(R"("emission": [2e6, 0, 0])"),
-              "material.emission[0]: expected a number <= 1e6, got 2000000.0");
+              "material.emission[0]: expected a number from 0 to 1e6, got 2000000.0");
     EXPECT_EQ(object_error(R"({"shape": "sphere", "radius": 0})"), "mesh.radius: expected a number > 0, got 0");
-    EXPECT_EQ(object_error(R"({"shape": "sphere", "rings": 1})"), "mesh.rings: expected a whole number >= 2, got 1");
+    EXPECT_EQ(object_error(R"({"shape": "sphere", "rings": 1})"),
+              "mesh.rings: expected a whole number from 2 to 2048, got 1");
     EXPECT_EQ(object_error(R"({"shape": "box", "divisions": 513})"),
-              "mesh.divisions: expected a whole number <= 512, got 513");
+              "mesh.divisions: expected a whole number from 1 to 512, got 513");
     EXPECT_EQ(object_error(R"({"shape": "box"})", R"(, "transform": {"scale": [1, 2e15, 1]})"),
-              "transform.scale[1]: expected a number <= 1e15, got 2e+15");
+              "transform.scale[1]: expected a number from -1e15 to 1e15, got 2e+15");
+}
+
+TEST(SceneRead, UpAlongTheViewIsRefused) {
+    EXPECT_EQ(error(R"({"camera": {"position": [0, 5, 0]}})"),
+              "a.json: camera.up: expected a direction other than the view's, from position to target, got the usual "
+              "[0, 1, 0]");
+    EXPECT_EQ(error(R"({"camera": {"position": [0, 0, 5], "up": [0, 0, -2]}})"),
+              "a.json: camera.up: expected a direction other than the view's, from position to target, got [0, 0, -2]");
+    EXPECT_EQ(error(R"({"views": [{"name": "a", "camera": {"position": [0, 5, 0]}}]})").substr(0, 27),
+              "a.json: views[0].camera.up:");
+    // 1e-9 of the length, whatever that is.
+    EXPECT_NE(error(R"({"camera": {"position": [0, 5e9, 0], "up": [0, 1, 0.9e-9]}})"), "no error");
+    EXPECT_EQ(error(R"({"camera": {"position": [0, 5e9, 0], "up": [0, 1, 1.1e-9]}})"), "no error");
 }
 
 TEST(SceneErrors, TheEdgesOfRangesAreIn) {

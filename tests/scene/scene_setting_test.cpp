@@ -49,6 +49,27 @@ TEST(Setting, TakesBareWordsAsStrings) {
               "wood.png");
 }
 
+TEST(Setting, TakesAnyTextWhereATextIs) {
+    for (const std::string text : {"", "5", "true", "null", "[draft", "{", "a \"b\"", "=", "1e999"}) {
+        EXPECT_EQ(with_setting(two_lights(), "name=" + text).name, text);
+    }
+    EXPECT_EQ(error("name=\"").substr(0, 11), "--set name:") << "which begins JSON";
+    EXPECT_EQ(with_setting(two_lights(), "objects[0].material.texture=").objects[0].material.texture, "");
+    EXPECT_EQ(error("lights[0].diffuse="), "--set: lights[0].diffuse: expected a number, got \"\"");
+}
+
+TEST(Settings, AreJudgedTogether) {
+    const std::vector<std::string> above{"camera.position=[0,5,0]", "camera.target=[0,0,0]", "camera.up=[0,0,-1]"};
+    EXPECT_EQ(with_settings(two_lights(), above, "--set", "/").camera.up, glm::dvec3(0, 0, -1));
+    const std::vector<std::string> far{"camera.near=500", "camera.far=1000"},
+        box{"objects[0].mesh.shape=box", "objects[0].mesh.size[0]=3"};
+    EXPECT_EQ(with_settings(two_lights(), far, "--set", "/").camera.near_plane, 500);
+    EXPECT_EQ(with_settings(two_lights(), box, "--set", "/").objects[0].mesh, Shape(BoxShape{{3, 1, 1}, 1}));
+    const std::vector<std::string> wrong{"lights[0].diffuse=-1", "name=a"};
+    EXPECT_EQ(error_of([&] { with_settings(two_lights(), wrong, "--set", "/"); }),
+              "--set: lights[0].diffuse: expected a number >= 0, got -1");
+}
+
 TEST(Setting, MakesWhatIsOptional) {
     EXPECT_EQ(with_setting(two_lights(), "objects[0].material.checker.cells=3").objects[0].material.checker,
               (Checker{.cells = 3}));

@@ -2,6 +2,7 @@
 #include "teach/lesson_read.h"
 
 #include "image/file_io.h"
+#include "image/write_files.h"
 #include "scene/scene_file.h"
 #include "teach/lesson_format.h"
 #include "tools/error_of.h"

@@ -1,6 +1,6 @@
 #include "tools/hostile_answers.h"
 
-#include "image/file_io.h"
+#include "image/write_files.h"
 
 #include <fmt/format.h>
 #include <sys/stat.h>

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <vector>
 
 namespace sandbox {
 
@@ -89,7 +90,7 @@ std::unique_ptr<SequenceJob> start_sequence(const DrawingSupplies &supplies, con
         const Painters painters = painters_of(turn.renderer());
         const std::string pattern = "frame_%04d.png";
         const int moments = moments_of(motion);
-        write_file(sidecar_path(folder / pattern), motion_sidecar(sidecar_text(scene, options, by), motion));
+        write_file(sidecar_path(folder / pattern), motion_sidecar(sidecar_text(scene, options, by, folder), motion));
         for (int moment = 0; moment < moments; ++moment) {
             turn.let_others_draw();
             const std::string name = frame_name(pattern, moment);
@@ -116,9 +117,10 @@ std::unique_ptr<SequenceJob> start_sweep(const DrawingSupplies &supplies, const 
         };
         const ByteImage picture =
             draw_grid(scene, grid, options, painters_of(turn.renderer()), "the sweep", after_cell);
-        write_file(path, encode_png(picture));
         const PictureOptions cell = cell_options(options, grid.techniques.front());
-        write_file(sidecar_path(path), grid_text(sidecar_text(scene, cell, by), grid));
+        const std::filesystem::path in = path.parent_path();
+        write_files(std::vector<OutputFile>{
+            {path, encode_png(picture)}, {sidecar_path(path), grid_text(sidecar_text(scene, cell, by, in), grid, in)}});
         return path;
     };
     return std::make_unique<SequenceJob>(supplies, draw);

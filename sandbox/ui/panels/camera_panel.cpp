@@ -15,7 +15,7 @@ namespace {
 constexpr Range elevation{.low = -most_elevation_degrees,
                           .high = most_elevation_degrees,
                           .slider = {-most_elevation_degrees, most_elevation_degrees, "%.1f"}};
-constexpr Range distance_range{.low = 1e-6, .high = 1e9, .slider = {0.5, 50, "%.2f", true}};
+constexpr Range distance_range{.low = 1e-6, .high = 1e10, .slider = {0.5, 50, "%.2f", true}};
 
 void view_button(Session &session, const Label &name, const Camera &camera) {
     if (toggle_button(session, name, session.document.scene.camera == camera, session.text("camera.view.help"))) {

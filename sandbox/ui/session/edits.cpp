@@ -1,9 +1,11 @@
 #include "ui/session/edits.h"
 
 #include "scene/light_kind.h"
+#include "scene/scene_format.h"
 #include "scene/space.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <utility>
 
@@ -17,6 +19,9 @@ glm::dvec3 unit_or_down(glm::dvec3 direction) {
     const double length = glm::length(direction);
     return length > 0 ? direction / length : glm::dvec3(0, -1, 0);
 }
+
+/// A camera may stand farther out than a light.
+glm::dvec3 in_world(glm::dvec3 position) { return glm::clamp(position, coordinate.low, coordinate.high); }
 
 double reach(const Camera &camera) { return std::max(glm::length(camera.position - camera.target), 1e-3); }
 
@@ -38,7 +43,7 @@ void add_light(Scene &scene, LightType type) {
     Light light;
     light.type = type;
     const glm::dvec3 shoulder = 0.35 * axes.right + 0.45 * axes.up - 0.5 * axes.forward;
-    light.position = scene.camera.target + shoulder * reach(scene.camera);
+    light.position = in_world(scene.camera.target + shoulder * reach(scene.camera));
     light.direction = unit_or_down(-shoulder);
     scene.lights.push_back(light);
 }
@@ -61,7 +66,7 @@ void set_type(Light &light, LightType type, const Camera &camera) {
     }
     const Light untouched;
     if (kind_of(type).positional && light.position == untouched.position) {
-        light.position = camera.target - unit_or_down(light.direction) * (0.6 * reach(camera));
+        light.position = in_world(camera.target - unit_or_down(light.direction) * (0.6 * reach(camera)));
     }
     if (kind_of(type).directed && light.direction == untouched.direction) {
         light.direction = unit_or_down(camera.target - light.position);

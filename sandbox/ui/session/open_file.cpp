@@ -62,7 +62,8 @@ OpenedFile open_file(const std::string &name_or_path, const Assets &assets, Scen
     const std::filesystem::path path(name_or_path);
     file.name = path.stem().string();
     if (!is_builtin(name_or_path, assets) && path.extension() == ".json") {
-        if (const auto options = sidecar_options(read_file(path, largest_json), path.filename().string())) {
+        if (const auto options = sidecar_options(read_file(path, largest_json), path.filename().string(),
+                                                 std::filesystem::absolute(path).parent_path())) {
             take_sidecar(file, *options);
         }
     }

@@ -2,6 +2,7 @@
 
 #include "image/error.h"
 #include "image/file_io.h"
+#include "image/write_files.h"
 #include "scene/read_json.h"
 #include "words/words.h"
 
@@ -39,7 +40,8 @@ float panel_size(const nlohmann::json &from, const char *key, float least, float
 
 /// A step of a lesson. The library would make any number of -1 and of 1e300.
 std::size_t step_from(const nlohmann::json &from) {
-    return static_cast<std::size_t>(std::clamp(from.get<double>(), 0.0, 1e6));
+    constexpr double most = 9999; // more than any lesson has; each lesson shows its last one in place of those beyond
+    return static_cast<std::size_t>(std::clamp(from.get<double>(), 0.0, most));
 }
 
 LessonProgress progress_from(const nlohmann::json &from) {

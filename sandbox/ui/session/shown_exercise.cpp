@@ -1,7 +1,7 @@
 #include "ui/session/shown_exercise.h"
 
 #include "image/error.h"
-#include "image/file_io.h"
+#include "image/write_files.h"
 #include "teach/marking/exercise.h"
 #include "teach/marking/student_file.h"
 #include "ui/session/session.h"

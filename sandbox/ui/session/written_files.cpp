@@ -46,9 +46,8 @@ fs::path first_free(const fs::path &folder, const std::string &name, const char 
 fs::path write_all(const std::string &folder_name, const std::string &stem, const std::string &html,
                    const std::string &json, const std::string &csv) {
     fs::path folder = fs::absolute(new_folder(capture_folder(), folder_name));
-    write_file(folder / (stem + ".html"), html);
-    write_file(folder / (stem + ".json"), json);
-    write_file(folder / (stem + ".csv"), csv);
+    write_files(std::vector<OutputFile>{
+        {folder / (stem + ".html"), html}, {folder / (stem + ".json"), json}, {folder / (stem + ".csv"), csv}});
     return folder;
 }
 

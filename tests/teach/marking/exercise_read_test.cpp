@@ -1,4 +1,5 @@
 #include "image/file_io.h"
+#include "image/write_files.h"
 #include "scene/scene_file.h"
 #include "shading/own_files.h"
 #include "teach/marking/exercise_format.h"

@@ -1,4 +1,4 @@
-#include "image/file_io.h"
+#include "image/write_files.h"
 #include "scene/assets.h"
 #include "teach/marking/exercise_read.h"
 #include "tools/answer_class.h"

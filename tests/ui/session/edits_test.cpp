@@ -21,6 +21,17 @@ const TechniqueKey &key_of(std::string_view name) {
     return *std::ranges::find(technique_keys(), name, &TechniqueKey::name);
 }
 
+TEST(Edits, LightsBesideAFarCameraAreWhereASceneFileCanSay) {
+    Scene scene;
+    scene.camera.position = {1e10, -1e10, 9e9};
+    scene.camera.target = {-1e10, 1e10, 9e9};
+    add_light(scene, LightType::point);
+    EXPECT_EQ(read_back(scene), scene);
+    scene.lights.emplace_back().type = LightType::directional;
+    set_type(scene.lights.back(), LightType::point, scene.camera);
+    EXPECT_EQ(read_back(scene), scene);
+}
+
 TEST(Edits, LightsAreAddedUpToEightOfEachType) {
     Scene scene = one_object();
     for (const LightType type : {LightType::directional, LightType::point, LightType::spot}) {

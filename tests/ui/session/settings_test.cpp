@@ -41,7 +41,8 @@ TEST_F(SettingsTest, AbsentOnesAreTheDefaults) {
 
 TEST_F(SettingsTest, DamagedOnesAreSetAside) {
     std::filesystem::create_directories(folder.path() / "a");
-    for (const char *text : {"{\"dark\": tr", "{\"scale\": \"large\"}", "[]x", "{\"window\": [1]}"}) {
+    for (const char *text : {"{\"dark\": tr", "{\"scale\": \"large\"}", "[]x", "{\"window\": [1]}",
+                             R"({"lessons": {"step": "x"}})", R"({"lessons": {"seen": {"a": ["x"]}}})"}) {
         folder.write("a/settings.json", text);
         EXPECT_EQ(read(), Settings{}) << text;
         EXPECT_NE(message.find("settings.json.damaged"), std::string::npos) << text;
@@ -57,9 +58,9 @@ TEST_F(SettingsTest, NumbersOutOfRangeBecomeTheNearest) {
     EXPECT_EQ(read().window, (Size{480, 16384}));
     folder.write("a/settings.json", R"({"side_ems": 1000, "bottom_share": 0.01})");
     EXPECT_EQ(read().panel_sizes, (PanelSizes{most_side_ems, least_bottom_share}));
-    folder.write("a/settings.json", R"({"lessons": {"step": -1, "seen": {"a": [1e300, -3, 2]}}})");
-    EXPECT_EQ(read().lessons.step, 0U);
-    EXPECT_EQ(read().lessons.seen, (std::map<std::string, std::set<std::size_t>>{{"a", {0, 2, 1000000}}}));
+    folder.write("a/settings.json", R"({"side_ems": 1e300, "lessons": {"step": -1, "seen": {"a": [1.5, 1e300, -7]}}})");
+    EXPECT_EQ(read().panel_sizes.side_ems, most_side_ems);
+    EXPECT_EQ(read().lessons, (LessonProgress{"", 0, {{"a", {0, 1, 9999}}}}));
 }
 
 TEST_F(SettingsTest, TheLastFilesComeFirstAndOnce) {
