@@ -18,12 +18,13 @@ ProgramSource assemble(const Features &program, const ShaderParts &parts) {
 }
 
 StageSource in_es(StageSource source) {
-    constexpr std::string_view core = "#version 330 core\n\n"; // the second line is blank
+    constexpr std::string_view core = "#version 330 core\n";
     if (!source.text.starts_with(core)) {
-        throw std::logic_error("a stage begins with its version and a blank line");
+        throw std::logic_error("a stage begins with its version");
     }
     source.text.replace(0, core.size(),
-                        "#version 300 es\nprecision highp float; precision highp int; precision highp sampler2D;\n");
+                        "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
+                        "#line 2\n");
     return source;
 }
 

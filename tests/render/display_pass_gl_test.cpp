@@ -6,6 +6,7 @@
 #include "tools/gl_test.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <glad/gl.h>
 #include <limits>
@@ -21,15 +22,14 @@ constexpr float largest = std::numeric_limits<float>::max();
 /// Top row first, as to_display() has it.
 std::vector<std::uint8_t> read_rgb(const DisplayTexture &texture) {
     const Size size = texture.size();
-    const std::size_t row = 3 * static_cast<std::size_t>(size.width);
-    std::vector<std::uint8_t> bottom_first(row * static_cast<std::size_t>(size.height));
+    std::vector<std::array<std::uint8_t, 4>> row(static_cast<std::size_t>(size.width));
     glBindFramebuffer(GL_READ_FRAMEBUFFER, texture.framebuffer());
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, size.width, size.height, GL_RGB, GL_UNSIGNED_BYTE, bottom_first.data());
     std::vector<std::uint8_t> rgb;
-    for (std::size_t end = bottom_first.size(); end > 0; end -= row) {
-        const auto last = bottom_first.begin() + static_cast<std::ptrdiff_t>(end);
-        rgb.insert(rgb.end(), last - static_cast<std::ptrdiff_t>(row), last);
+    for (int y = size.height - 1; y >= 0; --y) {
+        glReadPixels(0, y, size.width, 1, GL_RGBA, GL_UNSIGNED_BYTE, row.data());
+        for (const auto &pixel : row) {
+            rgb.insert(rgb.end(), pixel.begin(), pixel.begin() + 3);
+        }
     }
     return rgb;
 }
