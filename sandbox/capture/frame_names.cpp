@@ -1,5 +1,6 @@
 #include "capture/frame_names.h"
 
+#include "capture/picture_ranges.h"
 #include "capture/sidecar.h"
 #include "capture/sidecar_json.h"
 #include "image/error.h"
@@ -70,11 +71,13 @@ std::optional<Turntable> turntable_of(std::string_view text, std::string_view na
     if (frames == json.end() || degrees == json.end() || !frames->is_number_integer() || !degrees->is_number()) {
         throw InputError("{}: expected both frames, a whole number, and orbit_degrees, a number", name);
     }
+    const char *key = "frames";
     try {
-        return Turntable{checked_frames(static_cast<int>(std::clamp(frames->get<double>(), -1.0, 1e9))),
-                         degrees->get<double>()};
+        const int count = checked_frames(static_cast<int>(std::clamp(frames->get<double>(), -1.0, 1e9)));
+        key = "orbit_degrees";
+        return Turntable{count, checked_number(degrees->get<double>(), rotation)};
     } catch (const InputError &error) {
-        throw InputError("{}: frames: {}", name, error.what());
+        throw InputError("{}: {}: {}", name, key, error.what());
     }
 }
 

@@ -20,7 +20,7 @@ std::string frame_name(std::string_view pattern, int i);
 
 struct Turntable {
     int frames = 1;
-    double degrees = 0; ///< the whole turn
+    double degrees = 0; ///< the whole turn, in the range `rotation`
     bool operator==(const Turntable &) const = default;
 };
 /// The sidecar of a turntable: its first frame's (sidecar_text()) with the keys frames and orbit_degrees.

@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <fmt/format.h>
 #include <set>
 #include <utility>
@@ -217,10 +216,8 @@ std::optional<Turntable> turntable(const CaptureFlags &flags) {
     Turntable turntable = recorded.value_or(Turntable{});
     turntable.frames =
         flags.frames ? with_flag("--frames", [&] { return checked_frames(*flags.frames); }) : turntable.frames;
-    turntable.degrees = flags.orbit.value_or(turntable.degrees);
-    if (!std::isfinite(turntable.degrees)) {
-        throw InputError("--orbit: expected a finite number of degrees");
-    }
+    turntable.degrees =
+        with_flag("--orbit", [&] { return checked_number(flags.orbit.value_or(turntable.degrees), rotation); });
     with_flag("--out", [&] { return frame_name(flags.out.string(), 0); });
     return turntable;
 }

@@ -5,6 +5,7 @@
 #include "scene/orbit.h"
 #include "scene/read_json.h"
 #include "scene/scene_setting.h"
+#include "scene/table_read.h"
 
 #include <algorithm>
 #include <cmath>
@@ -93,6 +94,14 @@ void expect_within(const Range &range, const glm::dvec3 &position, const Motion 
     }
 }
 
+/// A number that is moved has a range of its own, which the scene checks.
+void expect_degrees(const Motion &motion, double value) {
+    const std::string broken = broken_rule(value, rotation, "a number");
+    if (motion.mover != Mover::number && !broken.empty()) {
+        throw InputError("expected {}, got {:g}", broken, value);
+    }
+}
+
 template <class Things> auto &thing(Things &things, const Motion &motion, const char *name) {
     if (motion.index >= things.size()) {
         throw InputError("motion: {} {} is asked for; there are {}", name, motion.index + 1, things.size());
@@ -174,7 +183,9 @@ Motion parse_motion(std::string_view json, std::string_view name) {
             motion.index = index.get<std::size_t>();
         }
         motion.from = from.at(key = "from").get<double>();
+        expect_degrees(motion, motion.from);
         motion.to = from.at(key = "to").get<double>();
+        expect_degrees(motion, motion.to);
         motion.seconds = from.at(key = "seconds").get<double>();
         if (!(motion.seconds > 0 && motion.seconds <= longest_motion)) {
             throw InputError("expected above 0, at most {}", longest_motion);

@@ -39,7 +39,8 @@ TEST(Turntable, ItsSidecarHoldsIt) {
     EXPECT_EQ(turntable_of(text, "t.json"), (Turntable{24, 360}));
     EXPECT_FALSE(turntable_of(R"({"techniques": ["flat/phong"], "scene": {}})", "t.json"));
     for (const char *wrong : {R"({"scene": {}, "frames": 3})", R"({"scene": {}, "frames": 0, "orbit_degrees": 3})",
-                              R"({"scene": {}, "frames": "3", "orbit_degrees": 3})"}) {
+                              R"({"scene": {}, "frames": "3", "orbit_degrees": 3})",
+                              R"({"scene": {}, "frames": 3, "orbit_degrees": 2e9})"}) {
         EXPECT_THROW(turntable_of(wrong, "t.json"), InputError) << wrong;
     }
 }

@@ -92,6 +92,7 @@ TEST(Cli, CaptureFlagsThatContradictEachOther) {
     refused({"--out", "a%d.png", "--frames", "0", "--orbit", "1"}, "--frames");
     refused({"--out", "a%d.png", "--frames", "2"}, "--orbit");
     refused({"--out", "a%d.png", "--frames", "2", "--orbit", "inf"}, "--orbit");
+    refused({"--out", "a%d.png", "--frames", "2", "--orbit", "2e9"}, "--orbit: expected a number from -1e9 to 1e9");
     refused({"--out", "a.png", "--view", "nowhere"}, "nowhere");
     refused({"--out", "a.png", "--set", "lights[0].diffuse=-1"}, "lights[0].diffuse");
     refused({"--out", "a.png", "--technique", "per-vertex/phong:renormalize=off"}, "renormalize");

@@ -104,7 +104,7 @@ key F12
 wait
 )"));
     const std::string sidecar = folder.read("three-point-lights-001.png.json");
-    EXPECT_NE(sidecar.find(std::filesystem::canonical(folder.path()).string() + "/stripes.png"), std::string::npos);
+    EXPECT_NE(sidecar.find("\"./stripes.png\""), std::string::npos);
     EXPECT_PLAYED(
         run_sandbox({"capture", folder.file("three-point-lights-001.png.json"), "--out", folder.file("again.png")}));
     expect_same("again.png", "three-point-lights-001.png");

@@ -110,9 +110,23 @@ TEST(Motion, TextsRoundTrip) {
         EXPECT_EQ(parse_motion(motion_text(motion), "a.json"), motion);
     }
     for (const char *wrong : {R"([])", R"({"mover": "sun"})", R"({"mover": "light", "index": -1})",
-                              R"({"mover": "camera", "from": 0, "to": 1, "seconds": 0, "course": "turn"})"}) {
+                              R"({"mover": "camera", "from": 0, "to": 1, "seconds": 0, "course": "turn"})",
+                              R"({"mover": "camera", "from": 0, "to": 1e300, "seconds": 1, "course": "turn"})"}) {
         EXPECT_THROW(parse_motion(wrong, "a.json"), InputError) << wrong;
     }
+}
+
+TEST(Motion, OrbitsAboutAFarTargetKeepTheirDigits) {
+    Scene scene = lit_ball();
+    scene.camera.position = {0, 2, 5};
+    const Scene near = moved(scene, {.mover = Mover::light}, 60);
+    scene.camera.target += glm::dvec3(1e8, 0, -1e8);
+    scene.camera.position += glm::dvec3(1e8, 0, -1e8);
+    scene.lights[0].position += glm::dvec3(1e8, 0, -1e8);
+    const Scene far = moved(scene, {.mover = Mover::light}, 60);
+    EXPECT_LT(glm::length(far.lights[0].direction - near.lights[0].direction), rounding) << "added to no place";
+    scene.camera.target.x = scene.camera.position.x = -9e9;
+    EXPECT_THROW(moved(scene, {.mover = Mover::light}, 60), InputError) << "18e9 away, where no light may be";
 }
 
 } // namespace

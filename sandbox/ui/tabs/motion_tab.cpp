@@ -85,7 +85,8 @@ void what_moves(Session &session) {
 void course_controls(Session &session) {
     Motion &motion = session.playback.motion;
     const bool degrees = motion.mover != Mover::number;
-    Range range{.low = -3600, .high = 3600, .slider = {-360, 360, "%.4g"}};
+    Range range = rotation;
+    range.slider = {-360, 360, "%.4g"};
     for (const SceneNumber &number : numbers_of(session.document.scene)) {
         range = !degrees && number.path == motion.path ? number.range : range;
     }
