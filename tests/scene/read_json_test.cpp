@@ -48,6 +48,18 @@ TYPED_TEST(ReadJson, RefusesWhatIsTooMuch) {
     EXPECT_EQ(error("[" + repeated("0,", most_json_values - 2) + "0]"), "no error");
 }
 
+/// Of very many line ends the library's message would take half a gigabyte: what stands between them is read alike.
+TYPED_TEST(ReadJson, ManyLineEndsChangeNothing) {
+    const std::string lines = repeated("\n", 1000001), text = R"(["a\"\\", "\u000a", "b)";
+    EXPECT_EQ(read_json<TypeParam>(lines + text + "\"]", "a.json").dump(), R"(["a\"\\","\n","b"])");
+    EXPECT_TRUE(
+        error_of([&] {
+            read_json<TypeParam>(lines + text + "\t\"]", "a.json");
+        }).starts_with("a.json:1000002:21: syntax error while parsing value - invalid string: control character"));
+    EXPECT_TRUE(
+        error_of([&] { read_json<TypeParam>("[" + lines + "x]", "a.json"); }).starts_with("a.json:1000002:1: "));
+}
+
 TYPED_TEST(ReadJson, ManyKeysAreReadWithoutDelay) { // a search through all keys for each would take minutes
     std::string text = "{";
     for (int i = 0; i < 500000; ++i) {
