@@ -186,9 +186,9 @@ std::vector<std::string> own_interface_comments() {
     for (const FromSubject &row : uniforms) {
         lines.push_back(comment("", fmt::format("{} {};", row.type, row.name), row.doc));
     }
-    lines.push_back(comment(
-        "", "vec3 base();",
-        "the colour of texture or chequer here, 1 where there is none; what lighting() returns is a + b base()"));
+    lines.push_back(comment("", "vec3 base();",
+                            "the colour of texture, chequer and vertices here, 1 where there is none; what lighting() "
+                            "returns is a + b base()"));
     return lines;
 }
 
