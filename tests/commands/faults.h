@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -132,7 +133,17 @@ class Faults : public GlCommandTest {
         }
     }
 
+    /// Rows that need a disk of their own, where nobody may mount one, are left out loudly.
+    static bool can_run(const Fault &fault) {
+        static const bool can_mount = std::system("unshare -m mount -t tmpfs none /tmp 2> /dev/null") == 0;
+        return can_mount || fault.with.find("mount") == std::string::npos;
+    }
+
     void expect(const Fault &fault) {
+        if (!can_run(fault)) {
+            fmt::print("{:<44} SKIPPED: no right to mount a disk\n", fault.what);
+            return;
+        }
         const TemporaryFolder at;
         write_inputs(at);
         const std::string here = at.path().string();
