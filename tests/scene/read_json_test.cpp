@@ -52,12 +52,11 @@ TYPED_TEST(ReadJson, RefusesWhatIsTooMuch) {
 TYPED_TEST(ReadJson, ManyLineEndsChangeNothing) {
     const std::string lines = repeated("\n", 1000001), text = R"(["a\"\\", "\u000a", "b)";
     EXPECT_EQ(read_json<TypeParam>(lines + text + "\"]", "a.json").dump(), R"(["a\"\\","\n","b"])");
-    EXPECT_TRUE(
-        error_of([&] {
-            read_json<TypeParam>(lines + text + "\t\"]", "a.json");
-        }).starts_with("a.json:1000002:21: syntax error while parsing value - invalid string: control character"));
-    EXPECT_TRUE(
-        error_of([&] { read_json<TypeParam>("[" + lines + "x]", "a.json"); }).starts_with("a.json:1000002:1: "));
+    const auto error = [](const std::string &bad) { return error_of([&] { read_json<TypeParam>(bad, "a.json"); }); };
+    const std::string few = error("\n" + text + "\t\"]"), begin = "a.json:2:"; // a tab in a string
+    EXPECT_TRUE(few.starts_with(begin)) << few;
+    EXPECT_EQ(error(lines + text + "\t\"]"), "a.json:1000002:" + few.substr(begin.size()));
+    EXPECT_TRUE(error("[" + lines + "x]").starts_with("a.json:1000002:1: "));
 }
 
 TYPED_TEST(ReadJson, ManyKeysAreReadWithoutDelay) { // a search through all keys for each would take minutes
