@@ -55,7 +55,9 @@ void check_sidecar(std::string_view bytes) {
         held_round(bytes, turntable_of, [](const Turntable &table) { return turntable_text(plain, table); });
     }
     if (has("\"rows\"") || has("\"sweep\"")) {
-        held_round(bytes, grid_of, [](const Grid &grid) { return grid_text(plain, grid); });
+        held_round(
+            bytes, [](std::string_view text, std::string_view name) { return grid_of(text, name); },
+            [](const Grid &grid) { return grid_text(plain, grid); });
     }
     if (!has("\"motion\"")) {
         return;
