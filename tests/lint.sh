@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Checks of the code itself, by Clang's tools: the layout (clang-format), what a second compiler warns of, and a few
 # checks for faults (clang-tidy; all of .clang-tidy's by the target tidy). Exit code 77 where a tool is not installed.
-#   tests/lint.sh [FILE.cpp ...]: default: every source file. Needs a configured build in build/release, or in $BUILD.
+#   tests/lint.sh [FILE.cpp ...]: default: all of sandbox/, and the layout of all. Needs a configured build in build/release, or in $BUILD.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -18,9 +18,8 @@ if ((${#sources[@]} == 0)); then
 import json, sys
 for entry in json.load(open(sys.argv[1])):
     if entry["file"].startswith(sys.argv[2]): print(entry["file"])' "$build/compile_commands.json" "$root/")
-    mapfile -t sources < <(printf '%s\n' "${sources[@]}" | grep -E "^$root/(sandbox|tests)/" | sort -u)
-    mapfile -t headers < <(find sandbox tests -name '*.h')
-    clang-format --dry-run -Werror "${sources[@]}" "${headers[@]}"
+    mapfile -t sources < <(printf '%s\n' "${sources[@]}" | grep "^$root/sandbox/" | sort -u)
+    find sandbox tests -name '*.h' -print0 -o -name '*.cpp' -print0 | xargs -0 clang-format --dry-run -Werror
 fi
 
 # Of what is read once more for every check, the compiler's own warnings are part: one pass over a file for both.

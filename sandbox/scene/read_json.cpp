@@ -159,14 +159,37 @@ template <class Json> class Builder {
     }
 };
 
+/// Line ends and tabs between values, where there are very many, as spaces: the library's message of what it read last
+/// has eight characters for each, and copies of that.
+std::string with_spaces(std::string_view text) {
+    std::string out(text);
+    bool in_string = false;
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        if (in_string && out[i] == '\\') {
+            ++i;
+        } else if (out[i] == '"') {
+            in_string = !in_string;
+        } else if (!in_string && (out[i] == '\n' || out[i] == '\r' || out[i] == '\t')) {
+            out[i] = ' ';
+        }
+    }
+    return out;
+}
+
 } // namespace
 
 template <class Json> Json read_json(std::string_view text, std::string_view name) {
     if (text.size() > largest_json) {
         throw InputError("{}: the file is larger than {} MiB", name, largest_json >> 20);
     }
+    constexpr std::ptrdiff_t many = 1000000;
+    const auto line_ends = std::ranges::count_if(text, [](char c) { return c == '\n' || c == '\r' || c == '\t'; });
     Builder<Json> builder(text, name);
-    Json::sax_parse(text, &builder);
+    if (line_ends > many) {
+        Json::sax_parse(with_spaces(text), &builder);
+    } else {
+        Json::sax_parse(text, &builder);
+    }
     return builder.take();
 }
 

@@ -86,7 +86,7 @@ inline constexpr auto format_of<LessonStep> = format(
           "The key of the window's tab to show beside the step: P probe, L profile, E error against run time, ..."),
     field("question", &LessonStep::question, any, "A question to think about."),
     field("asserts", &LessonStep::asserts, any, "false: the step claims nothing, and needs no claim."),
-    field("claims", &LessonStep::claims, any, "What the text says, to be measured."));
+    field("claims", &LessonStep::claims, Range{.high = 100}, "What the text says, to be measured."));
 
 template <>
 inline constexpr auto format_of<Lesson> =
@@ -99,6 +99,6 @@ inline constexpr auto format_of<Lesson> =
            field("seen", &Lesson::seen, any, "Of a famous bug: what people saw."),
            field("cure", &Lesson::cure, any, "Of a famous bug: what helped."),
            field("source", &Lesson::source, any, "Of a famous bug: where it was told, a project and a number."),
-           field("steps", &Lesson::steps, any, "One after the other.", {.needed = always<Lesson>}));
+           field("steps", &Lesson::steps, Range{.high = 1000}, "One after the other.", {.needed = always<Lesson>}));
 
 } // namespace sandbox

@@ -82,6 +82,14 @@ std::string checked_language(const std::string &text) {
 }
 
 Words words_in(std::string_view language, const Assets &assets) {
+    if (language == languages.front() && assets.folder().empty()) {
+        static const Words english = Words::read(language, assets); // every run of a report asks for it
+        return english;
+    }
+    return Words::read(language, assets);
+}
+
+Words Words::read(std::string_view language, const Assets &assets) {
     const std::string file = fmt::format("words/{}.json", language);
     const auto own = assets.read(file);
     const auto text = own ? own : Assets("assets").read(file);

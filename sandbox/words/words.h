@@ -40,6 +40,7 @@ class Words {
 
   private:
     friend Words words_in(std::string_view language, const Assets &assets);
+    static Words read(std::string_view language, const Assets &assets);
 
     using Texts = std::map<std::string, std::string, std::less<>>;
     std::string language_{languages.front()};

@@ -1,4 +1,4 @@
-// The entry of libFuzzer, once for each target: FUZZ_TARGET is its name.
+// libFuzzer's entries. The target is named by the program: fuzz_scene is a link to this one.
 #include "fuzz/json_mutator.h"
 #include "fuzz/png_mutator.h"
 #include "fuzz/target.h"
@@ -14,10 +14,8 @@ extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t *data, std::size_t size, st
 
 namespace {
 
-const sandbox::FuzzTarget &target() {
-    static const sandbox::FuzzTarget &found = sandbox::fuzz_target(FUZZ_TARGET);
-    return found;
-}
+const sandbox::FuzzTarget *chosen = nullptr;
+const sandbox::FuzzTarget &target() { return *chosen; }
 
 const sandbox::JsonMutator &json_mutator() {
     static const sandbox::JsonMutator mutator(target().seeds());
@@ -34,6 +32,18 @@ std::size_t copied(const std::optional<std::string> &text, std::uint8_t *to) {
 }
 
 } // namespace
+
+extern "C" int LLVMFuzzerInitialize(int * /*count*/, char ***arguments) {
+    const std::string_view program = (*arguments)[0];
+    const std::size_t prefix = program.rfind("fuzz_");
+    try {
+        chosen = &sandbox::fuzz_target(prefix == std::string_view::npos ? "" : program.substr(prefix + 5));
+    } catch (const std::exception &error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        std::exit(2);
+    }
+    return 0;
+}
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size) {
     try {

@@ -26,7 +26,7 @@ programs=build/fuzz/tests/fuzz
 targets=("$@")
 if ((${#targets[@]} == 0)); then
     for program in "$programs"/fuzz_*; do
-        [[ -x $program && -f $program ]] && targets+=("${program##*/fuzz_}")
+        [[ -L $program ]] && targets+=("${program##*/fuzz_}")
     done
 fi
 

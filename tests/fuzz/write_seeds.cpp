@@ -1,12 +1,12 @@
 // write_seeds TARGET FOLDER: the seeds of a target, and every input that once broke it, as files.
 #include "fuzz/target.h"
-#include "image/file_io.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fstream>
 
 int main(int count, char **arguments) {
     if (count != 3) {
@@ -20,7 +20,7 @@ int main(int count, char **arguments) {
         std::vector<std::string> inputs = sandbox::fuzz_target(target).seeds();
         std::ranges::move(sandbox::kept_inputs("regressions", target), std::back_inserter(inputs));
         for (std::size_t i = 0; i < inputs.size(); ++i) {
-            sandbox::write_file(folder / fmt::format("seed-{:03}", i), inputs[i]);
+            std::ofstream(folder / fmt::format("seed-{:03}", i), std::ios::binary) << inputs[i];
         }
         return 0;
     } catch (const std::exception &error) {

@@ -48,6 +48,17 @@ TYPED_TEST(ReadJson, RefusesWhatIsTooMuch) {
     EXPECT_EQ(error("[" + repeated("0,", most_json_values - 2) + "0]"), "no error");
 }
 
+/// Of very many line ends the library's message would take half a gigabyte: what stands between them is read alike.
+TYPED_TEST(ReadJson, ManyLineEndsChangeNothing) {
+    const std::string lines = repeated("\n", 1000001), text = R"(["a\"\\", "\u000a", "b)";
+    EXPECT_EQ(read_json<TypeParam>(lines + text + "\"]", "a.json").dump(), R"(["a\"\\","\n","b"])");
+    const auto error = [](const std::string &bad) { return error_of([&] { read_json<TypeParam>(bad, "a.json"); }); };
+    const std::string few = error("\n" + text + "\t\"]"), begin = "a.json:2:"; // a tab in a string
+    EXPECT_TRUE(few.starts_with(begin)) << few;
+    EXPECT_EQ(error(lines + text + "\t\"]"), "a.json:1000002:" + few.substr(begin.size()));
+    EXPECT_TRUE(error("[" + lines + "x]").starts_with("a.json:1000002:1: "));
+}
+
 TYPED_TEST(ReadJson, ManyKeysAreReadWithoutDelay) { // a search through all keys for each would take minutes
     std::string text = "{";
     for (int i = 0; i < 500000; ++i) {

@@ -85,9 +85,7 @@ struct Marker::Impl {
     Mark mark_own(const OwnShader &text) {
         refuse_other_words(*text);
         const Technique technique = own_technique(exercise, text);
-        const auto drawn = [&](const Scene &scene, Size size) {
-            return draw.own(scene, technique, size, false).color;
-        };
+        const auto drawn = [&](const Scene &scene, Size size) { return draw.own(scene, technique, size, false).color; };
         PictureStore answer([&](const Scene &scene) { return drawn(scene, exercise.size); });
         Mark mark;
         mark.student = drawn(exercise.shown_scene(), shown_size());

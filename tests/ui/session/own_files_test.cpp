@@ -17,7 +17,8 @@ const std::string white = "vec3 lighting(vec3 P, vec3 N, vec3 eye) { return vec3
 
 class OwnFilesTest : public testing::Test {
   protected:
-    Session session{document_of("scene", {}, parse_technique("per-vertex/phong"), parse_technique("per-vertex/lambert"))};
+    Session session{
+        document_of("scene", {}, parse_technique("per-vertex/phong"), parse_technique("per-vertex/lambert"))};
     TemporaryFolder folder;
     OwnFiles files;
 
