@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <ranges>
 #include <utility>
 
 namespace sandbox {
@@ -62,8 +61,11 @@ std::shared_ptr<const Mesh> load_part(const ObjShape &obj, ObjParts &parts) {
     }
     const auto found = meshes.find(*obj.usemtl);
     if (found == meshes.end()) {
-        throw InputError("{}: no faces under usemtl \"{}\"; it has \"{}\"", obj.path, *obj.usemtl,
-                         fmt::join(std::views::keys(meshes), "\", \""));
+        std::string names; // Clang 14 cannot take std::views::keys
+        for (const auto &[name, mesh] : meshes) {
+            names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", name);
+        }
+        throw InputError("{}: no faces under usemtl \"{}\"; it has {}", obj.path, *obj.usemtl, names);
     }
     return found->second;
 }

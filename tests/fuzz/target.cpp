@@ -15,6 +15,7 @@ namespace fs = std::filesystem;
 
 constexpr FuzzTarget targets[]{
     {"obj", check_obj, obj_seeds},
+    {"mtl", check_mtl, mtl_seeds},
     {"png", check_png, png_seeds},
     {"jpeg", check_jpeg, jpeg_seeds},
     {"pfm", check_pfm, pfm_seeds},

@@ -9,6 +9,8 @@ namespace sandbox {
 
 void check_obj(std::string_view bytes);
 std::vector<std::string> obj_seeds();
+void check_mtl(std::string_view bytes);
+std::vector<std::string> mtl_seeds();
 void check_png(std::string_view bytes);
 std::vector<std::string> png_seeds();
 void check_jpeg(std::string_view bytes);
