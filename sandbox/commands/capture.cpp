@@ -166,11 +166,8 @@ PictureOptions picture_options(const CaptureFlags &flags) {
     with_flag("--gain", [&] { checked_number(options.gain, gain_range); });
     with_flag("--exposure", [&] { checked_number(options.exposure, exposure_range); });
     view_sizes(options.layout, options.size); // refuses a view without a pixel
-    const auto pixels = static_cast<std::size_t>(options.size.width) * static_cast<std::size_t>(options.size.height);
-    if (options.samples > 1 && pixels > most_sampled_pixels) {
-        throw InputError("--samples: a picture of {}x{} has {:.1f} Mpixel; one that adds up samples may have {}",
-                         options.size.width, options.size.height, static_cast<double>(pixels) / (1 << 20),
-                         most_sampled_pixels >> 20);
+    if (options.samples > 1) {
+        with_flag("--samples", [&] { check_sampled(options.size); });
     }
     return options;
 }

@@ -28,6 +28,14 @@ std::size_t triangles_in(const ObjShape &) { return 0; }
 
 } // namespace
 
+void check_sampled(Size size) {
+    const std::size_t pixels = of(size.width) * of(size.height);
+    if (pixels > most_sampled_pixels) {
+        throw InputError("a picture of {}x{} has {:.1f} Mpixel; one that adds up samples may have {}", size.width,
+                         size.height, static_cast<double>(pixels) / (1 << 20), most_sampled_pixels >> 20);
+    }
+}
+
 void SceneBudget::add_texture(std::string_view object, std::string_view texture, Size size) {
     const std::size_t bytes = of(size.width) * of(size.height) * bytes_a_pixel;
     if (bytes > most_texture_bytes - texture_bytes_) {

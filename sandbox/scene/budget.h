@@ -17,6 +17,8 @@ constexpr std::size_t most_texture_bytes = std::size_t{512} << 20;
 constexpr std::size_t most_triangles = 10'000'000;
 /// Of a picture (check_size(): 64 Mpixel) that adds up samples in doubles, which takes 75 bytes a pixel: 1.2 GB.
 constexpr std::size_t most_sampled_pixels = std::size_t{16} << 20;
+/// Throws InputError if a picture that adds up samples is larger.
+void check_sampled(Size size);
 
 /// Counts what the objects of a scene take. Throws InputError that names the object and the figures.
 class SceneBudget {
