@@ -28,6 +28,7 @@ _shading_sandbox() {
             return
             ;;
         --lang) COMPREPLY=($(compgen -W 'en zh' -- "$cur")) && return ;;
+        --profile) COMPREPLY=($(compgen -W 'core es' -- "$cur")) && return ;;
         --backend) COMPREPLY=($(compgen -W 'egl glfw' -- "$cur")) && return ;;
         --display) COMPREPLY=($(compgen -W 'linear srgb' -- "$cur")) && return ;;
         --lesson) COMPREPLY=($(compgen -W "$(_shading_sandbox_names "$1" Lessons)" -- "$cur")) && return ;;

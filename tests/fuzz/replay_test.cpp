@@ -2,11 +2,16 @@
 #include "fuzz/target.h"
 
 #include <gtest/gtest.h>
+#include <ostream>
 #include <random>
 #include <set>
 
 /// What fuzzers begin with and what they once found, without a fuzzer.
 namespace sandbox {
+
+/// In the names of tests.
+static void PrintTo(const FuzzTarget &target, std::ostream *out) { *out << target.name; }
+
 namespace {
 
 class FuzzTargets : public testing::TestWithParam<FuzzTarget> {};

@@ -57,6 +57,7 @@ if [[ -f /usr/share/bash-completion/bash_completion ]]; then
     expect "$(complete_line shading-sandbox capture three-p)" 'three-point-lights' "a scene"
     expect "$(complete_line shading-sandbox capture studio --wiref)" '^--wireframe ' "an option of a command"
     expect "$(complete_line shading-sandbox capture studio --technique per-pixel/bl)" '^per-pixel/blinn-phong ' "a technique"
+    expect "$(complete_line shading-sandbox capture studio --profile e)" '^es ' "a profile"
     expect "$(complete_line shading-sandbox lesson vertex)" 'vertex-or-pixel' "a lesson"
     expect "$(complete_line shading-sandbox mark lam)" 'lambert' "an exercise"
     expect "$(complete_line shading-sandbox stability --case exponent-0)" 'exponent-0-phong' "a stability case"
