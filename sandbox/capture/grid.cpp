@@ -50,12 +50,10 @@ std::filesystem::path folder_of(const Grid &grid) {
 
 /// As a strip names a value: of a file without its folder, so that a moved grid has the same labels.
 std::string label_of(const Grid &grid, const std::string &value) {
-    return is_of_files(grid.sweep) ? std::filesystem::path(file_of_value(grid, value)).filename().string() : value;
+    return names_file(grid.sweep.path) ? std::filesystem::path(file_of_value(grid, value)).filename().string() : value;
 }
 
 } // namespace
-
-bool is_of_files(const Sweep &sweep) { return sweep.path.ends_with("texture") || sweep.path.ends_with("obj"); }
 
 std::string file_of_value(const Grid &grid, std::string_view value) {
     const bool quoted = value.size() > 1 && value.front() == '"' && value.back() == '"';
@@ -92,7 +90,7 @@ std::string grid_text(std::string_view cell, const Grid &grid, const std::filesy
         rows.push_back(technique_json(technique, folder));
     }
     std::vector<std::string> values = grid.sweep.values;
-    if (!folder.empty() && is_of_files(grid.sweep)) {
+    if (!folder.empty() && names_file(grid.sweep.path)) {
         std::ranges::transform(values, values.begin(),
                                [&](const std::string &value) { return path_from(file_of_value(grid, value), folder); });
     }

@@ -41,9 +41,8 @@ std::string grid_text(std::string_view cell, const Grid &grid, const std::filesy
 /// wrong.
 std::optional<Grid> grid_of(std::string_view text, std::string_view name, const std::filesystem::path &folder = {});
 
-/// Whether a sweep is over files: textures or models.
-bool is_of_files(const Sweep &sweep);
-/// The file that such a sweep's value names, absolute; a bare name that is no file there may be a built-in one.
+/// The file that a value of a sweep over textures or models names, absolute; a bare name that is no file there may be a
+/// built-in one.
 std::string file_of_value(const Grid &grid, std::string_view value);
 
 /// A picture for row and column, as large as every other.

@@ -3,6 +3,7 @@
 #include "image/error.h"
 #include "image/file_io.h"
 #include "image/plain_text.h"
+#include "scene/scene_setting.h"
 #include "shading/own_text.h"
 
 #include <algorithm>
@@ -103,7 +104,7 @@ Pack pack_of(const Scene &scene, const PictureOptions &options, const std::optio
         pack.grid->folder = fs::absolute(folder);
         std::ranges::for_each(pack.grid->techniques, [&](Technique &technique) { packer.technique(technique); });
         for (std::string &value : pack.grid->sweep.values) {
-            if (is_of_files(pack.grid->sweep)) {
+            if (names_file(pack.grid->sweep.path)) {
                 const bool models = pack.grid->sweep.path.ends_with("obj");
                 value = packer.file(file_of_value(*grid, value),
                                     models ? std::span<const std::string_view>(model_folders) : texture_folders);

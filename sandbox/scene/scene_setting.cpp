@@ -148,6 +148,8 @@ void keep_meshes(const Scene &from, Scene &to) {
 
 } // namespace
 
+bool names_file(std::string_view path) { return path.ends_with("texture") || path.ends_with("obj"); }
+
 Scene with_settings(const Scene &scene, std::span<const std::string> settings, std::string_view name,
                     const std::filesystem::path &folder) {
     Json json = write_scene(scene, Keys::all);
@@ -165,7 +167,7 @@ Scene with_settings(const Scene &scene, std::span<const std::string> settings, s
             throw InputError(label + ": expected PATH=VALUE, such as lights[0].diffuse=0.5");
         }
         Setting(path, label).apply(json, setting.substr(equals + 1), folder);
-        names_files = names_files || path.ends_with("texture") || path.ends_with("obj");
+        names_files = names_files || names_file(path);
         try {
             changed = read_scene(json, name, {});
             json = write_scene(changed, Keys::all); // a new shape has its other keys for the next setting

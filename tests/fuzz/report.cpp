@@ -5,6 +5,7 @@
 #include "measure/report/csv.h"
 #include "measure/report/report_html.h"
 #include "measure/report/report_json.h"
+#include "tools/measured_ball.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -35,26 +36,11 @@ namespace {
 
 /// A ball on two meshes, by pictures of the reference.
 ReportRun small_run(const std::vector<Technique> &techniques, Size size) {
-    ReportRun run;
     Scene scene;
     scene.name = "Ball";
     scene.lights = {Light{}};
     scene.lights[0].position = {1, 2, 3};
-    scene.objects = {{"ball", SphereShape{1, 16, 32}, {}, {}, false}};
-    const auto load = [](const Scene &s) {
-        return std::vector<ObjectResources>{{std::make_shared<const Mesh>(build_mesh(s.objects[0].mesh)), nullptr}};
-    };
-    const PlanOptions options{size, 8, 16, 1, 3, techniques};
-    double ms = 0;
-    run.measured = measure_work_precision(
-        scene, options,
-        {load,
-         [&](const Scene &s, const Technique &t) { return to_frame(render_reference(s, load(s), t, options.size)); },
-         [&](const Scene &, const Technique &) { return ms += 0.125; }});
-    run.machine = {"llvmpipe", "3.3", "A processor", 2, "1", "release", "a clock"};
-    run.version = "1.2.3";
-    run.date = "2031-05-01 12:00";
-    return run;
+    return measured_ball(scene, {size, 8, 16, 1, 3, techniques});
 }
 
 /// Without what no reader reads, on one line: small.

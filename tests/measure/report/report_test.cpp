@@ -7,6 +7,7 @@
 #include "measure/report/text.h"
 #include "measure/work_precision/findings.h"
 #include "tools/error_of.h"
+#include "tools/measured_ball.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,27 +21,13 @@ namespace {
 
 /// A ball on three rungs, measured with pictures of the reference and times that grow with the mesh.
 ReportRun ball_run() {
-    ReportRun run;
     Scene scene;
     scene.name = "Ball, \"round\" <b>";
     Light light;
     light.position = {1, 2, 3};
     light.attenuation = {0.5, 0.1, 0.1};
     scene.lights = {light};
-    scene.objects = {{"ball", SphereShape{1, 16, 32}, {}, {}, false}};
-    const auto load = [](const Scene &s) {
-        return std::vector<ObjectResources>{{std::make_shared<const Mesh>(build_mesh(s.objects[0].mesh)), nullptr}};
-    };
-    const PlanOptions options{{16, 12}, 8, 32, 4, 5};
-    double ms = 0;
-    run.measured = measure_work_precision(
-        scene, options,
-        {load,
-         [&](const Scene &s, const Technique &t) { return to_frame(render_reference(s, load(s), t, options.size)); },
-         [&](const Scene &, const Technique &) { return ms += 0.125; }});
-    run.machine = {"llvmpipe", "3.3", "A processor", 2, "1", "release", "a clock"};
-    run.version = "1.2.3";
-    run.date = "2031-05-01 12:00";
+    ReportRun run = measured_ball(scene, {{16, 12}, 8, 32, 4, 5});
     run.pictures = {{"The truth", "caption", ByteImage{{2, 1}, std::vector<std::uint8_t>(6, 200)}, {}}};
     return run;
 }
