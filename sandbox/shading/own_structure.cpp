@@ -162,7 +162,8 @@ int OwnStructure::numbers_in(const std::string &type) const {
     if (of_the_interface || type.starts_with("mat")) {
         return of_the_interface ? 32 : most_in_a_field;
     }
-    return type.back() >= '2' && type.back() <= '4' ? type.back() - '0' : 1;
+    const char last = type.empty() ? '1' : type.back(); // "a[2]b[3]" names no type: the compiler will say so
+    return last >= '2' && last <= '4' ? last - '0' : 1;
 }
 
 OwnStructure own_structure(std::vector<OwnToken> tokens, const std::string &file) {
