@@ -1,6 +1,7 @@
 #include "commands/commands.h"
 #include "commands/interrupt.h"
 #include "image/plain_text.h"
+#include "image/thread.h"
 #include "render/gl_program.h"
 #include "scene/scene_file.h"
 #include "scene/suggest.h"
@@ -96,9 +97,7 @@ int parse_and_run(int argc, char **argv) {
     }
 }
 
-} // namespace
-
-int main(int argc, char **argv) {
+int run_program(int argc, char **argv) {
     try {
         return parse_and_run(argc, argv);
     } catch (const sandbox::InputError &error) {
@@ -116,3 +115,17 @@ int main(int argc, char **argv) {
         return machine_lacks;
     }
 }
+
+} // namespace
+
+#ifndef __EMSCRIPTEN__
+int main(int argc, char **argv) { return run_program(argc, argv); }
+#else
+extern "C" void page_ended(int code); // sandbox/page/browser.js
+
+/// As a thread, so that what takes long lets the page live. The words live as long as the page.
+int main(int argc, char **argv) {
+    static const sandbox::Thread program([argc, argv](const std::stop_token &) { page_ended(run_program(argc, argv)); });
+    return 0;
+}
+#endif

@@ -10,6 +10,7 @@
 #include "commands/progress_bar.h"
 #include "commands/session.h"
 #include "image/image_file.h"
+#include "image/number.h"
 #include "scene/budget.h"
 #include "scene/orbit.h"
 #include "scene/read_json.h"
@@ -17,7 +18,6 @@
 #include "ui/views/painters.h"
 
 #include <algorithm>
-#include <charconv>
 #include <fmt/format.h>
 #include <set>
 #include <utility>
@@ -89,7 +89,7 @@ void apply_two_views(const CaptureFlags &flags, PictureOptions &options) {
 
 double parse_share(std::string_view text) {
     double share = -1;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), share);
+    const auto [end, error] = read_number(text.data(), text.data() + text.size(), share);
     if (error != std::errc() || end != text.data() + text.size() || !(share >= 0 && share <= 1)) {
         throw InputError("expected a share of the view from 0 to 1, got '{}'", text);
     }

@@ -6,7 +6,6 @@
 #include "ui/run_script.h"
 #include "ui/run_window.h"
 
-#include <cstdlib>
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
@@ -26,14 +25,6 @@ struct ViewFlags {
     bool no_times = false;
     std::string language; ///< empty: a window's as its settings say, a script's English
 };
-
-bool has_display_server() {
-    const auto set = [](const char *name) {
-        const char *value = std::getenv(name);
-        return value != nullptr && *value != '\0';
-    };
-    return set("DISPLAY") || set("WAYLAND_DISPLAY");
-}
 
 /// A window runs for hours and makes pictures on several threads: what is freed goes back to the system. Left alone,
 /// glibc raises its threshold up to 32 MiB, and pictures tear holes into the heaps of threads that have ended.
@@ -80,10 +71,6 @@ int run_view(const ViewFlags &flags, const CommonOptions &common) {
     options.language = flags.language.empty() && !flags.script.empty() ? languages.front() : flags.language;
     if (!flags.script.empty()) {
         return run_script(flags.script, options);
-    }
-    if (!has_display_server()) {
-        throw MachineError("no display server (DISPLAY and WAYLAND_DISPLAY are unset), so no window can open. Use "
-                           "`shading-sandbox capture SCENE --out FILE.png` for pictures without a window, or run.sh");
     }
     return run_window(options);
 }

@@ -1,9 +1,10 @@
 #include "image/pfm.h"
 
 #include "image/error.h"
+#include "image/number.h"
 
-#include <bit>
 #include <charconv>
+#include <bit>
 #include <cmath>
 
 namespace sandbox {
@@ -37,8 +38,15 @@ std::string_view take_word(std::string_view &rest) {
     return word;
 }
 
+std::from_chars_result read(const char *first, const char *last, int &value) {
+    return std::from_chars(first, last, value);
+}
+std::from_chars_result read(const char *first, const char *last, double &value) {
+    return read_number(first, last, value);
+}
+
 template <class T> bool parse(std::string_view word, T &value) {
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    const auto [end, error] = read(word.data(), word.data() + word.size(), value);
     return error == std::errc() && end == word.data() + word.size();
 }
 

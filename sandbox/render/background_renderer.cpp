@@ -53,7 +53,7 @@ void BackgroundRenderer::end_turn() {
         const std::lock_guard lock(mutex_);
         turns_.pop_front();
     }
-    turn_ended_.notify_all();
+    turn_ended_.notify();
 }
 
 BackgroundRenderer::Turn::Turn(BackgroundRenderer &shared, const std::stop_token &stop, Broken broken)

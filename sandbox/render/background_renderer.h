@@ -1,11 +1,11 @@
 #pragma once
 
+#include "image/thread.h"
 #include "render/context.h"
 #include "render/own_process.h"
 #include "render/renderer.h"
 #include "scene/assets.h"
 
-#include <condition_variable>
 #include <cstddef>
 #include <deque>
 #include <memory>
@@ -70,7 +70,7 @@ class BackgroundRenderer {
     int begun_ = 0;                      ///< turns that have begun and not ended, those that let others draw too
     mutable std::mutex mutex_;
     std::deque<const Turn *> turns_; ///< guarded by mutex_; the first one draws
-    std::condition_variable_any turn_ended_;
+    Signal turn_ended_;
 };
 
 } // namespace sandbox

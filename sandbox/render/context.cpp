@@ -1,9 +1,7 @@
 #include "render/context.h"
 
 #include "image/error.h"
-#include "render/egl_context.h"
 #include "render/gl_state.h"
-#include "render/glfw_context.h"
 
 #include <glad/gl.h>
 
@@ -37,15 +35,17 @@ void listen_to_debug_messages() {
 }
 #endif
 
+#ifdef __EMSCRIPTEN__
+constexpr unsigned renderer_name = 0x9246; // WebGL's GL_RENDERER says the browser's name
+#else
+constexpr unsigned renderer_name = GL_RENDERER;
+#endif
+
 } // namespace
 
 std::string_view name_of(Profile profile) { return profile == Profile::es ? "OpenGL ES 3.0" : "OpenGL 3.3"; }
 
 Profile current_profile() { return is_es() ? Profile::es : Profile::core; }
-
-std::unique_ptr<Context> Context::headless(Backend backend, Profile profile) {
-    return backend == Backend::egl ? make_egl_context(profile) : make_hidden_window_context(profile);
-}
 
 void Context::load_functions(Profile profile, void (*(*get_proc_address)(const char *))()) {
     const bool es = profile == Profile::es;
@@ -65,11 +65,11 @@ void Context::load_functions(Profile profile, void (*(*get_proc_address)(const c
 #endif
 }
 
-std::string Context::renderer() const { return gl_string(GL_RENDERER); }
+std::string Context::renderer() const { return gl_string(renderer_name); }
 std::string Context::version() const { return gl_string(GL_VERSION); }
 
 bool Context::software() {
-    const std::string name = gl_string(GL_RENDERER);
+    const std::string name = gl_string(renderer_name);
     return std::ranges::any_of(std::array{"llvmpipe", "softpipe", "swrast", "SWR"},
                                [&](const char *known) { return name.find(known) != std::string::npos; });
 }

@@ -1,6 +1,7 @@
 #include "render/own_process.h"
 
 #include "image/error.h"
+#include "render/child_process.h"
 #include "render/own_messages.h"
 #include "scene/scene_file.h"
 #include "shading/own_text.h"
@@ -27,6 +28,7 @@ std::vector<std::string> own_server_command(const Assets &assets, const Assets &
 
 OwnProcess::OwnProcess(std::vector<std::string> command, OwnLimits limits)
     : command_(std::move(command)), limits_(limits) {}
+OwnProcess::~OwnProcess() = default;
 
 /// Whole seconds for the next picture: what the kernel counts in.
 int OwnProcess::allowed() const {

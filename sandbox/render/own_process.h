@@ -1,7 +1,6 @@
 #pragma once
 
 #include "image/image.h"
-#include "render/child_process.h"
 #include "render/context.h"
 #include "scene/assets.h"
 #include "scene/scene.h"
@@ -15,6 +14,8 @@
 #include <vector>
 
 namespace sandbox {
+
+class ChildProcess;
 
 /// Of processor time, so that a busy machine refuses nothing that a quiet one draws.
 struct OwnLimits {
@@ -32,6 +33,9 @@ class OwnProcess {
   public:
     /// `command` serves at its standard input, as serve_own_pictures() does.
     explicit OwnProcess(std::vector<std::string> command, OwnLimits limits = {});
+    ~OwnProcess();
+    OwnProcess(const OwnProcess &) = delete;
+    OwnProcess &operator=(const OwnProcess &) = delete;
 
     /// Of a technique whose model is `own`. Throws InputError "FILE: ..." where the text gives no picture within the
     /// limits, MachineError where no process can be started or it has no OpenGL.
@@ -55,7 +59,8 @@ class OwnProcess {
     std::unique_ptr<ChildProcess> process_; ///< null: none runs
 };
 
-/// What Renderer::draw_own_by() takes; `own` must outlive it.
+/// What Renderer::draw_own_by() takes; `own` must outlive it. In a page, which can start no process: nothing, so that the
+/// renderer draws.
 std::function<Frame(const Scene &, const Technique &, Size, bool)> drawn_by(OwnProcess &own);
 
 } // namespace sandbox

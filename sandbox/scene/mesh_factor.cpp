@@ -1,10 +1,10 @@
 #include "scene/mesh_factor.h"
 
 #include "image/error.h"
+#include "image/number.h"
 #include "scene/scene_format.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 #include <type_traits>
@@ -15,7 +15,7 @@ namespace {
 
 double parse_number(std::string_view text) {
     double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const auto [end, error] = read_number(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size()) {
         throw InputError("expected a factor such as 1/4, 0.25 or 2, got '{}'", text);
     }

@@ -1,5 +1,7 @@
 #include "scene/obj_text.h"
 
+#include "image/number.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -191,7 +193,7 @@ std::optional<double> ObjText::finite_number(std::string_view word) {
     }
     word.remove_prefix(word.starts_with('+') ? 1 : 0);
     double value = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    const auto [end, error] = read_number(word.data(), word.data() + word.size(), value);
     const bool whole = !word.empty() && error == std::errc() && end == word.data() + word.size();
     return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
@@ -204,7 +206,7 @@ double ObjText::number(std::string_view word, double limit) const {
 double ObjText::any_number(std::string_view word, double limit) const {
     double value = 0;
     const std::string_view digits = word.starts_with('+') ? word.substr(1) : word;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    const auto [end, error] = read_number(digits.data(), digits.data() + digits.size(), value);
     const bool whole = !digits.empty() && !word.starts_with("+-") && end == digits.data() + digits.size();
     const bool out_of_double = error == std::errc::result_out_of_range;
     if (whole && out_of_double) {

@@ -116,7 +116,7 @@ template <class... Fields> struct Format {
     std::tuple<Fields...> fields;
 };
 template <class... Fields>
-constexpr Format<Fields...> format(std::string_view name, std::string_view doc, Fields... fields) {
+constexpr Format<Fields...> make_format(std::string_view name, std::string_view doc, Fields... fields) {
     return {name, doc, {fields...}};
 }
 
@@ -135,14 +135,14 @@ concept HasFormat = !std::is_null_pointer_v<std::remove_cv_t<decltype(format_of<
 
 template <>
 inline constexpr auto format_of<Attenuation> =
-    format("attenuation", "Light weakens as 1 / (constant + linear d + quadratic d^2), d the distance in world units.",
+    make_format("attenuation", "Light weakens as 1 / (constant + linear d + quadratic d^2), d the distance in world units.",
            control("constant", &Attenuation::constant, coefficient(""), "The constant coefficient."),
            control("linear", &Attenuation::linear, coefficient("1/unit"), "The coefficient of d, per world unit."),
            control("quadratic", &Attenuation::quadratic, coefficient("1/unit\xC2\xB2"),
                    "The coefficient of d^2, per square world unit."));
 
 template <>
-inline constexpr auto format_of<Light> = format(
+inline constexpr auto format_of<Light> = make_format(
     "light", "A light. Keys that its type does not use are kept, so that switching the type back loses nothing.",
     field("type", &Light::type, any, "What kind of light this is.", {.needed = always<Light>}),
     field("enabled", &Light::enabled, any, "false: the light counts as absent."),
@@ -168,7 +168,7 @@ inline constexpr auto format_of<Light> = format(
             {.used = has_cone, .label = "spot exponent"}));
 
 template <>
-inline constexpr auto format_of<Camera> = format(
+inline constexpr auto format_of<Camera> = make_format(
     "camera", "Where the scene is seen from.",
     field("position", &Camera::position, camera_coordinate, "The eye, in world space."),
     field("target", &Camera::target, camera_coordinate, "What it looks at; not the eye itself."),
@@ -185,7 +185,7 @@ inline constexpr auto format_of<Camera> = format(
     field("far", &Camera::far_plane, clip_distance, "Nothing farther is drawn; above near."));
 
 template <>
-inline constexpr auto format_of<Transform> = format(
+inline constexpr auto format_of<Transform> = make_format(
     "transform",
     "From object to world space: scale, then rotate about the fixed axes (x, then y, then z), then translate.",
     control("translate", &Transform::translate, coordinate, "In world units.", {.label = "move"}),
@@ -194,26 +194,26 @@ inline constexpr auto format_of<Transform> = format(
 
 template <>
 inline constexpr auto format_of<SphereShape> =
-    format("sphere", "A sphere about the origin, its poles on the y axis.",
+    make_format("sphere", "A sphere about the origin, its poles on the y axis.",
            control("radius", &SphereShape::radius, positive_length, "In object units."),
            control("rings", &SphereShape::rings, count(2, 2048, 256), "Bands of latitude."),
            control("segments", &SphereShape::segments, count(3, 2048, 256), "Slices of longitude."));
 
 template <>
 inline constexpr auto format_of<BoxShape> =
-    format("box", "A box about the origin.",
+    make_format("box", "A box about the origin.",
            control("size", &BoxShape::size, positive_length, "Lengths of its edges along x, y and z."),
            control("divisions", &BoxShape::divisions, count(1, 512, 64), "Squares along each edge of each face."));
 
 template <>
 inline constexpr auto format_of<PlaneShape> =
-    format("plane", "A rectangle in y = 0 about the origin, facing +y.",
+    make_format("plane", "A rectangle in y = 0 about the origin, facing +y.",
            control("size", &PlaneShape::size, positive_length, "Lengths along x and z."),
            control("divisions", &PlaneShape::divisions, count(1, 1024, 128), "Squares along each edge."));
 
 template <>
 inline constexpr auto format_of<CylinderShape> =
-    format("cylinder", "A cylinder about the y axis, centred on the origin.",
+    make_format("cylinder", "A cylinder about the y axis, centred on the origin.",
            control("radius", &CylinderShape::radius, positive_length, "In object units."),
            control("height", &CylinderShape::height, positive_length, "In object units."),
            control("segments", &CylinderShape::segments, count(3, 2048, 256), "Slices around the axis."),
@@ -221,7 +221,7 @@ inline constexpr auto format_of<CylinderShape> =
            control("caps", &CylinderShape::caps, any, "Closes its ends."));
 
 template <>
-inline constexpr auto format_of<TorusShape> = format(
+inline constexpr auto format_of<TorusShape> = make_format(
     "torus", "A torus about the y axis, centred on the origin.",
     control("radius", &TorusShape::radius, positive_length, "From the centre to the middle of the tube."),
     control("tube_radius", &TorusShape::tube_radius, positive_length, "In object units.", {.label = "tube radius"}),
@@ -230,7 +230,7 @@ inline constexpr auto format_of<TorusShape> = format(
 
 template <>
 inline constexpr auto format_of<ObjShape> =
-    format("obj", "A model read from a Wavefront OBJ file.",
+    make_format("obj", "A model read from a Wavefront OBJ file.",
            field("obj", &ObjShape::path, any, "Path, relative to the scene file; a bare name may be a built-in model.",
                  {.needed = always<ObjShape>}),
            field("usemtl", &ObjShape::usemtl, any,
@@ -238,12 +238,12 @@ inline constexpr auto format_of<ObjShape> =
 
 template <>
 inline constexpr auto format_of<Checker> =
-    format("checker", "Cubic cells of two colours in object space, across the mesh's bounding cube about its origin.",
+    make_format("checker", "Cubic cells of two colours in object space, across the mesh's bounding cube about its origin.",
            control("cells", &Checker::cells, count(1, 1024, 32), "Cells along each axis."),
            control("colors", &Checker::colors, linear_rgb, "The two colours, linear RGB.", {.label = "colour"}));
 
 template <>
-inline constexpr auto format_of<Material> = format(
+inline constexpr auto format_of<Material> = make_format(
     "material", "How the surface answers light; colours are linear RGB.",
     control("ambient", &Material::ambient, linear_rgb, "Share of ambient light returned."),
     control("diffuse", &Material::diffuse, linear_rgb, "Share of diffuse light returned.", {.term = Term::light}),
@@ -269,7 +269,7 @@ inline constexpr auto format_of<Material> = format(
 
 template <>
 inline constexpr auto
-    format_of<Object> = format("object", "A mesh, where it stands and what it is made of.",
+    format_of<Object> = make_format("object", "A mesh, where it stands and what it is made of.",
                                field("name", &Object::name, any, "What panels and messages call it."),
                                field("mesh", &Object::mesh, any, "Its shape.", {.needed = always<Object>}),
                                field("transform", &Object::transform, any, "Where it stands."),
@@ -283,20 +283,20 @@ inline constexpr auto
 
 template <>
 inline constexpr auto
-    format_of<View> = format("view", "A camera with a name.",
+    format_of<View> = make_format("view", "A camera with a name.",
                              field("name", &View::name, any, "What --view takes.", {.needed = always<View>}),
                              field("camera", &View::camera, any, "Its camera.", {.needed = always<View>}));
 
 template <>
 inline constexpr auto format_of<Opening> =
-    format("opening", "How the window shows the scene that it opens; commands take no notice.",
+    make_format("opening", "How the window shows the scene that it opens; commands take no notice.",
            field("left", &Opening::left, any, "The technique of A, such as per-vertex/phong."),
            field("right", &Opening::right, any, "The technique of B, such as per-pixel/phong."),
            field("layout", &Opening::layout, any, "single, side-by-side, wipe, difference or three-up."));
 
 template <>
 inline constexpr auto format_of<Scene> =
-    format("scene", "A scene of Shading Sandbox.", field("name", &Scene::name, any, "A title."),
+    make_format("scene", "A scene of Shading Sandbox.", field("name", &Scene::name, any, "A title."),
            field("description", &Scene::description, any, "What there is to see."),
            field("source", &Scene::source, any, "The document that the scene reproduces."),
            field("camera", &Scene::camera, any, "Where the scene is seen from."),

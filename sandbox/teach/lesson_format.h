@@ -24,19 +24,19 @@ constexpr Range mesh_factor{.low = least_mesh_factor, .high = most_mesh_factor};
 
 template <>
 inline constexpr auto format_of<LookHere> =
-    format("look", "A ring over every view of the picture.",
+    make_format("look", "A ring over every view of the picture.",
            field("at", &LookHere::at, share, "Shares of a view's width and height, from its upper left corner.",
                  {.needed = always<LookHere>}),
            field("radius", &LookHere::radius, share, "A share of a view's height."));
 
 template <>
 inline constexpr auto
-    format_of<Question> = format("question", "A question whose answer is folded away.",
+    format_of<Question> = make_format("question", "A question whose answer is folded away.",
                                  field("asks", &Question::asks, any, "The question.", {.needed = always<Question>}),
                                  field("answer", &Question::answer, any, "Its answer.", {.needed = always<Question>}));
 
 template <>
-inline constexpr auto format_of<LessonClaim> = format(
+inline constexpr auto format_of<LessonClaim> = make_format(
     "claim", "What a step says, as a number that is measured: a metric and a bound, or words of a GLSL text.",
     field("says", &LessonClaim::says, any, "The claim in words; without them, the metric's."),
     field("metric", &LessonClaim::metric, any,
@@ -65,7 +65,7 @@ inline constexpr auto format_of<LessonClaim> = format(
     field("within", &LessonClaim::within, Range{.low = 1, .above_low = true}, "The factor around `about`."));
 
 template <>
-inline constexpr auto format_of<LessonStep> = format(
+inline constexpr auto format_of<LessonStep> = make_format(
     "step", "A screenful: a text, a picture and the claims that back the text.",
     field("title", &LessonStep::title, any, "A few words.", {.needed = always<LessonStep>}),
     field("text", &LessonStep::text, any, "At most 60 words.", {.needed = always<LessonStep>}),
@@ -90,7 +90,7 @@ inline constexpr auto format_of<LessonStep> = format(
 
 template <>
 inline constexpr auto format_of<Lesson> =
-    format("lesson",
+    make_format("lesson",
            "A lesson of Shading Sandbox. A text is a string, {\"en\": ..., \"zh\": ...} or \"@key\" of "
            "assets/words.",
            field("title", &Lesson::title, any, "What the lesson is called.", {.needed = always<Lesson>}),

@@ -203,8 +203,20 @@ std::vector<Action> make_actions() {
         {keys, plain, GLFW_KEY_ESCAPE, "", said("action.close_keys"), {}, close_key_list},
         {window, plain, GLFW_KEY_K, "K", said("action.masks"), said("action.masks.help"), switch_masks, shows_masks},
         {window, plain, GLFW_KEY_Z, "Z", said("action.loupe"), said("action.loupe.help"), switch_loupe, shows_loupe},
+#ifdef __EMSCRIPTEN__
+        {edit, plain, GLFW_KEY_U, "U", said("action.copy_link"), said("action.copy_link.help"),
+         [](Session &s) { s.requests.copy_link = true; }},
+        {window,
+         plain,
+         no_key,
+         "",
+         said("action.licences"),
+         {},
+         [](Session &s) { s.requests.show_licences = true; }},
+#else
         {window, plain, no_key, "", said("action.open_folder"), {}, ask_for_folder},
         {window, control, GLFW_KEY_Q, "Ctrl+Q", said("action.quit"), {}, [](Session &s) { s.requests.quit = true; }},
+#endif
     };
     for (const OverlayKind &kind : overlay_kinds) {
         all.push_back({window,

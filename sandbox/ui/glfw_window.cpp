@@ -3,7 +3,7 @@
 #include "image/error.h"
 #include "render/glfw_context.h"
 #include "render/lost_display.h"
-#include "ui/keys.h"
+#include "ui/jobs/drawing_job.h"
 #include "ui/session/settings.h"
 
 #include <GLFW/glfw3.h>
@@ -12,6 +12,17 @@
 namespace sandbox {
 
 namespace {
+
+/// What the user's keyboard has where GLFW's has `key`.
+int layout_key(int key, int scancode) {
+    const bool printable = key >= GLFW_KEY_SPACE && key <= GLFW_KEY_WORLD_2;
+    const char *name = printable && key != GLFW_KEY_SPACE ? glfwGetKeyName(key, scancode) : nullptr;
+    if (name == nullptr || name[0] == '\0' || name[1] != '\0') {
+        return key;
+    }
+    const char c = name[0];
+    return c >= 'a' && c <= 'z' ? GLFW_KEY_A + (c - 'a') : c >= '!' && c <= '`' ? c : key;
+}
 
 Arrivals &arrivals_of(GLFWwindow *window) {
     auto &arrivals = *static_cast<Arrivals *>(glfwGetWindowUserPointer(window));
@@ -45,6 +56,8 @@ void set_hints(Profile profile) {
 }
 
 } // namespace
+
+void wake_window() { glfwPostEmptyEvent(); }
 
 GlfwWindow::GlfwWindow(Size size, Profile profile) {
     if (glfwInit() != GLFW_TRUE) {

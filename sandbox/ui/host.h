@@ -52,6 +52,12 @@ class Host {
     virtual void present() = 0;
     virtual void set_title(const std::string &) {}
     virtual void set_full_screen(bool) {}
+    /// Lets the user choose a file, which then arrives as if it had been dropped; false: the window has to ask.
+    virtual bool pick_file() { return false; }
+    /// Gives the user a link that opens `state`, a sidecar's text.
+    virtual void share(const std::string & /*state*/) {}
+    /// Says what else is inside, and under which licences.
+    virtual void show_licences() {}
 };
 
 } // namespace sandbox

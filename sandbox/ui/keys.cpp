@@ -92,16 +92,6 @@ void draw_help_columns(const Session &session, float width) {
 
 } // namespace
 
-int layout_key(int key, int scancode) {
-    const bool printable = key >= GLFW_KEY_SPACE && key <= GLFW_KEY_WORLD_2;
-    const char *name = printable && key != GLFW_KEY_SPACE ? glfwGetKeyName(key, scancode) : nullptr;
-    if (name == nullptr || name[0] == '\0' || name[1] != '\0') {
-        return key;
-    }
-    const char c = name[0];
-    return c >= 'a' && c <= 'z' ? GLFW_KEY_A + (c - 'a') : c >= '!' && c <= '`' ? c : key;
-}
-
 void press_key(Session &session, int key, int mods, bool repeated, bool typing) {
     const int held = mods & (GLFW_MOD_SHIFT | GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER);
     const bool while_typing = key == GLFW_KEY_Q || (key >= GLFW_KEY_F1 && key <= GLFW_KEY_F25);

@@ -8,9 +8,6 @@ namespace sandbox {
 /// `typing`: a text field has the keyboard, so that only Ctrl+Q and the function keys count.
 void press_key(Session &session, int key, int mods, bool repeated, bool typing);
 
-/// GLFW's name for what the keyboard prints on a key: Ctrl+Z is where Z is.
-int layout_key(int key, int scancode);
-
 /// The window that lists keys and mouse, while it is open.
 void key_list(Session &session);
 

@@ -1,14 +1,24 @@
 #include "ui/run_window.h"
 
+#include "image/error.h"
 #include "ui/glfw_window.h"
 
 #include <GLFW/glfw3.h>
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace sandbox {
 
 namespace {
+
+bool has_display_server() {
+    const auto set = [](const char *name) {
+        const char *value = std::getenv(name);
+        return value != nullptr && *value != '\0';
+    };
+    return set("DISPLAY") || set("WAYLAND_DISPLAY");
+}
 
 constexpr double poll_seconds = 0.5; ///< of files
 
@@ -27,6 +37,10 @@ void wait_for_events(const Window &window) {
 } // namespace
 
 int run_window(const WindowOptions &options) {
+    if (!has_display_server()) {
+        throw MachineError("no display server (DISPLAY and WAYLAND_DISPLAY are unset), so no window can open. Use "
+                           "`shading-sandbox capture SCENE --out FILE.png` for pictures without a window, or run.sh");
+    }
     GlfwWindow host(options.size.value_or(options.settings.window), options.profile);
     Window window(options, host);
     window.step();

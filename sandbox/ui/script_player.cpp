@@ -2,21 +2,21 @@
 
 #include "image/error.h"
 #include "image/image_file.h"
+#include "image/number.h"
 #include "image/picture_size.h"
+#include "image/thread.h"
 #include "render/gl_state.h"
 #include "ui/actions.h"
 #include "ui/text_faults.h"
 
 #include <GLFW/glfw3.h>
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <ctime>
 #include <fmt/format.h>
 #include <fstream>
 #include <random>
-#include <thread>
 #include <utility>
 
 namespace sandbox {
@@ -60,7 +60,7 @@ double cpu_milliseconds() {
 double number(const std::string &word) {
     double value = 0;
     const char *const end = word.data() + word.size();
-    const auto [read_to, error] = std::from_chars(word.data(), end, value);
+    const auto [read_to, error] = read_number(word.data(), end, value);
     if (error != std::errc() || read_to != end || !std::isfinite(value)) {
         throw InputError("expected a number, got '{}'", word);
     }
@@ -132,7 +132,7 @@ void ScriptPlayer::settle() {
 void ScriptPlayer::finish() {
     settle();
     while (window_.busy()) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        rest();
         settle();
     }
 }
@@ -311,7 +311,7 @@ void ScriptPlayer::wait(Words words) {
     }
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(number(words[0]));
     while (std::chrono::steady_clock::now() < end && (window_.busy() || window_.unsettled())) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        rest();
         settle();
     }
 }

@@ -1,42 +1,12 @@
 #include "ui/scripted_host.h"
 
+#include "ui/gui_keys.h"
+
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 #include <iterator>
 
 namespace sandbox {
-
-namespace {
-
-/// Dear ImGui's keys that its widgets use, and what GLFW calls them.
-struct GuiKey {
-    ImGuiKey_ gui;
-    int key;
-};
-constexpr GuiKey gui_keys[] = {
-    {ImGuiKey_LeftArrow, GLFW_KEY_LEFT},
-    {ImGuiKey_RightArrow, GLFW_KEY_RIGHT},
-    {ImGuiKey_UpArrow, GLFW_KEY_UP},
-    {ImGuiKey_DownArrow, GLFW_KEY_DOWN},
-    {ImGuiKey_PageUp, GLFW_KEY_PAGE_UP},
-    {ImGuiKey_PageDown, GLFW_KEY_PAGE_DOWN},
-    {ImGuiKey_Home, GLFW_KEY_HOME},
-    {ImGuiKey_End, GLFW_KEY_END},
-    {ImGuiKey_Delete, GLFW_KEY_DELETE},
-    {ImGuiKey_Tab, GLFW_KEY_TAB},
-    {ImGuiKey_Space, GLFW_KEY_SPACE},
-    {ImGuiKey_Backspace, GLFW_KEY_BACKSPACE},
-    {ImGuiKey_Enter, GLFW_KEY_ENTER},
-    {ImGuiKey_Escape, GLFW_KEY_ESCAPE},
-    {ImGuiKey_A, GLFW_KEY_A},
-    {ImGuiKey_C, GLFW_KEY_C},
-    {ImGuiKey_V, GLFW_KEY_V},
-    {ImGuiKey_X, GLFW_KEY_X},
-    {ImGuiKey_Y, GLFW_KEY_Y},
-    {ImGuiKey_Z, GLFW_KEY_Z},
-};
-
-} // namespace
 
 ScriptedHost::ScriptedHost(Size size, Profile profile) : context_(Context::headless(Backend::egl, profile)) {
     surface_.emplace(size);
@@ -45,9 +15,7 @@ ScriptedHost::ScriptedHost(Size size, Profile profile) : context_(Context::headl
 void ScriptedHost::begin_gui() {
     ImGuiIO &io = ImGui::GetIO();
     io.BackendPlatformName = "script";
-    for (const GuiKey &key : gui_keys) {
-        io.KeyMap[key.gui] = key.key;
-    }
+    name_gui_keys();
 }
 
 void ScriptedHost::feed_gui() {
@@ -60,9 +28,7 @@ void ScriptedHost::feed_gui() {
     io.MousePos = {mouse_x_, mouse_y_};
     std::copy(std::begin(buttons_), std::end(buttons_), io.MouseDown);
     io.MouseWheel = std::exchange(wheel_, 0.0F);
-    for (const GuiKey &key : gui_keys) {
-        io.KeysDown[key.key] = held_.contains(key.key) || pressed_.contains(key.key);
-    }
+    press_gui_keys([&](int key) { return held_.contains(key) || pressed_.contains(key); });
     const auto holds = [&](int key, int mod) {
         return held_.contains(key) || (!pressed_.empty() && (mods_ & mod) != 0);
     };

@@ -210,7 +210,7 @@ void Window::answer_requests() {
         settings_.language = *requests.language;
         attempt(session_, "", [&] { speak(*requests.language); });
     }
-    if (requests.ask_open) {
+    if (requests.ask_open && !host_.pick_file()) {
         dialog_.show(FileDialog::Purpose::open, "");
     }
     if (requests.ask_save) {
@@ -221,6 +221,13 @@ void Window::answer_requests() {
     }
     if (requests.copy_scene || requests.paste_scene) {
         use_clipboard(requests);
+    }
+    if (requests.copy_link) {
+        host_.share(state());
+        session_.message = {session_.text("message.copied_link"), false};
+    }
+    if (requests.show_licences) {
+        host_.show_licences();
     }
     if (requests.capture) {
         capture();
@@ -391,6 +398,17 @@ void Window::keep_settings() {
 }
 
 Window::~Window() { keep_settings(); }
+
+/// What a capture would have beside it.
+std::string Window::state() {
+    const Size each = painter_.view(false).size;
+    return sidecar_text(scene_in_view(shown_document(session_), each), picture_options(session_, each), drawn_by_);
+}
+
+std::string Window::keep() {
+    keep_settings();
+    return state();
+}
 
 /// Shows `message` or, if a mesh is odd, what is odd about it. Throws InputError for textures and models that cannot be
 /// read.

@@ -62,6 +62,8 @@ class Window {
     Window &operator=(const Window &) = delete;
     /// Is there a file that may be saved while nothing arrives?
     [[nodiscard]] bool watches_files() const;
+    /// Writes the settings; what is shown, as a sidecar's text.
+    std::string keep();
     [[nodiscard]] bool quit_asked() const { return session_.requests.quit; }
     [[nodiscard]] Session &session() { return session_; }
 
@@ -84,6 +86,7 @@ class Window {
     void show_view(const OpenedFile &file);
     void use_clipboard(const Requests &requests);
     void keep_settings();
+    std::string state();
     void capture_window(Size size);
     void say_captured(const std::string &path);
 

@@ -11,7 +11,7 @@ template <> inline constexpr auto words_of<MarkTerm> = term_words;
 
 template <>
 inline constexpr auto format_of<ExerciseScene> =
-    format("exercise_scene", "A scene that answers are drawn in.",
+    make_format("exercise_scene", "A scene that answers are drawn in.",
            field("name", &ExerciseScene::name, any, "What sentences call it; without it, its number."),
            field("scene", &ExerciseScene::scene_json, any,
                  "A built-in scene's name, a path beside the exercise, or a scene; the first one's without it."),
@@ -20,7 +20,7 @@ inline constexpr auto format_of<ExerciseScene> =
            field("stiff", &ExerciseScene::stiff, any, "true: an extreme scene, in which every pixel must be finite."));
 
 template <>
-inline constexpr auto format_of<TermPoints> = format(
+inline constexpr auto format_of<TermPoints> = make_format(
     "term", "What one term is worth: its points, times the share of its pictures that are within the tolerance.",
     field("term", &TermPoints::term, any, "ambient, diffuse, specular, attenuation, cone, normals, sum, robustness.",
           {.needed = always<TermPoints>}),
@@ -29,7 +29,7 @@ inline constexpr auto format_of<TermPoints> = format(
           "The largest error of linear light that counts as right; 1/255, one level of 8 bits, without it."));
 
 template <>
-inline constexpr auto format_of<Exercise> = format(
+inline constexpr auto format_of<Exercise> = make_format(
     "exercise",
     "An exercise of Shading Sandbox. A text is a string, {\"en\": ..., \"zh\": ...} or \"@key\" of "
     "assets/words.",

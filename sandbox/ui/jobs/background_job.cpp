@@ -20,6 +20,7 @@ bool JobReporter::report(double share) {
     if (wake) {
         wake_();
     }
+    let_others_run();
     return !stop_.stop_requested();
 }
 
@@ -49,7 +50,7 @@ void JobReporter::end(JobState state, std::string error) {
 
 BackgroundJob::BackgroundJob(Work work, std::function<void()> wake) {
     reporter_.wake_ = std::move(wake);
-    thread_ = std::jthread([this, work = std::move(work)](const std::stop_token &stop) {
+    thread_ = Thread([this, work = std::move(work)](const std::stop_token &stop) {
         reporter_.stop_ = stop;
         try {
             work(reporter_);

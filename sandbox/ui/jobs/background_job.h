@@ -1,11 +1,12 @@
 #pragma once
 
+#include "image/thread.h"
+
 #include <chrono>
 #include <functional>
 #include <mutex>
 #include <stop_token>
 #include <string>
-#include <thread>
 
 /// Work in the background: a thread that reports its progress, can be stopped, and returns its errors as text.
 namespace sandbox {
@@ -72,7 +73,7 @@ class BackgroundJob {
 
   private:
     JobReporter reporter_;
-    std::jthread thread_; ///< last: ends before what it reports to
+    Thread thread_; ///< last: ends before what it reports to
 };
 
 } // namespace sandbox

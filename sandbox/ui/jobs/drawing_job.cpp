@@ -2,14 +2,11 @@
 
 #include "ui/widgets/widgets.h"
 
-#include <GLFW/glfw3.h>
 #include <fmt/format.h>
 #include <imgui.h>
 #include <string>
 
 namespace sandbox {
-
-void wake_window() { glfwPostEmptyEvent(); }
 
 void job_progress_row(Session &session, BackgroundJob &job) {
     const bool cancelled = job.cancelled();

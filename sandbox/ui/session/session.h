@@ -100,6 +100,7 @@ struct Requests {
     std::optional<std::string> language;          ///< of languages
     bool ask_open = false, ask_save = false;      ///< for a path
     bool copy_scene = false, paste_scene = false; ///< as JSON, by the clipboard
+    bool copy_link = false, show_licences = false; ///< of a page
     bool operator==(const Requests &) const = default;
 };
 

@@ -1,0 +1,7 @@
+#include "commands/commands.h"
+
+namespace sandbox {
+
+void add_own_server(CLI::App &, CommonOptions &, Run &) {} // a page starts no process
+
+} // namespace sandbox

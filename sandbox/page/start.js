@@ -1,0 +1,100 @@
+// Before the program: what an earlier visit has kept, and what becomes of the files that it writes.
+Module.home = '/home/web_user';
+// Puts a link that opens `state` into the address and the clipboard.
+Module.share = async state => {
+  location.replace(`#${await Module.encodeState(state)}`);
+  navigator.clipboard?.writeText(location.href).catch(() => {});
+};
+
+Module.fail = why => {
+  const box = document.getElementById('message');
+  box.textContent = why;
+  box.hidden = false;
+};
+Module.print = line => {
+  const text = document.getElementById('text');
+  text.hidden = false;
+  text.textContent += `${line}\n`;
+};
+Module.printErr = line => {
+  console.log(line);
+  Module.lastNote = line.replace(/^shading-sandbox: /, '');
+};
+Module.ended = code => {
+  if (code !== 0 || !Module.keep) {
+    document.documentElement.dataset.exit = code;
+  }
+  if (code !== 0 && Module.keptState) { // of another version, perhaps
+    Module.store.set('state', '');
+    location.reload();
+  } else if (code !== 0 && Module.lastNote) {
+    Module.fail(Module.lastNote);
+  }
+};
+Module.onAbort = why => Module.fail(`The program has ended: ${why}. Reload the page; what was shown is kept.`);
+
+// A picture or a report is a download; own shading opens in the editor.
+Module.download = path => {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(new Blob([FS.readFile(path)]));
+  link.download = path.slice(path.lastIndexOf('/') + 1);
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+};
+Module.edit = path => {
+  const editor = document.getElementById('editor'), area = editor.querySelector('textarea');
+  Module.edited = path;
+  editor.querySelector('output').textContent = path.slice(path.lastIndexOf('/') + 1);
+  area.value = FS.readFile(path, {encoding: 'utf8'});
+  editor.hidden = false;
+  area.focus();
+};
+Module.sawFile = path => {
+  if (path.endsWith('.glsl')) {
+    Module.store.set('own', JSON.stringify({...JSON.parse(Module.store.get('own') ?? '{}'),
+                                            [path]: FS.readFile(path, {encoding: 'utf8'})}));
+    Module.edit(path);
+  }
+};
+Module.keepAll = () => {
+  if (!Module.keep) {
+    return;
+  }
+  Module.store.set('state', Module.keep());
+  try {
+    Module.store.set('settings', FS.readFile(Module.settings, {encoding: 'utf8'}));
+  } catch { /* none yet */ }
+};
+// Everything that was drawn is gone: begin again, with what was shown. Own shading may be why it is gone.
+Module.lostContext = () => {
+  Module.keepAll();
+  Module.store.set('lost', '1');
+  location.reload();
+};
+
+(Module.preRun ??= []).push(() => {
+  Module.settings = `${Module.home}/.config/shading-sandbox/settings.json`;
+  FS.mkdirTree(Module.settings.replace(/\/[^/]*$/, ''));
+  FS.chdir(Module.home);
+  const settings = Module.store.get('settings');
+  if (settings) {
+    FS.writeFile(Module.settings, settings);
+  }
+  const own = JSON.parse(Module.store.get('own') ?? '{}');
+  for (const [path, text] of Object.entries({...own, ...window.keptFiles})) {
+    FS.writeFile(path, text);
+  }
+  if (Module.state) {
+    FS.writeFile(Module.arguments[0], Module.state);
+  }
+  const rename = FS.rename;
+  FS.rename = (from, to) => { // the program writes whole files by renaming
+    rename(from, to);
+    const path = to.startsWith('/') ? to : `${FS.cwd()}/${to}`;
+    if (path.startsWith(Module.home) && path !== Module.settings) {
+      path.endsWith('.glsl') ? Module.sawFile(path) : Module.download(path);
+    }
+  };
+});
+document.addEventListener('visibilitychange', () => { if (document.hidden) Module.keepAll(); });
+window.addEventListener('pagehide', () => Module.keepAll());

@@ -1,0 +1,63 @@
+#include "image/error.h"
+#include "image/page_thread.h"
+#include "ui/page_host.h"
+#include "ui/run_window.h"
+
+#include <emscripten.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <string>
+
+// sandbox/page/browser.js
+extern "C" {
+void page_loop(double (*step)(void *), void *window, void *stack);
+void page_fail(const char *why);
+}
+
+namespace sandbox {
+namespace {
+
+constexpr double poll_seconds = 0.5;                         ///< of files
+constexpr std::size_t window_stack = std::size_t{2} << 20; ///< bytes
+
+/// The window and what it stands on, for as long as the page is open.
+struct PageWindow {
+    explicit PageWindow(const WindowOptions &options) : window(options, host) {}
+
+    PageHost host;
+    Window window;
+    std::vector<std::byte> stack = std::vector<std::byte>(window_stack);
+    std::string state;
+
+    /// Draws what has to be drawn; returns for how many seconds there is nothing to do unless something arrives.
+    double step() {
+        try {
+            window.keep_time();
+            window.step();
+        } catch (const std::exception &error) {
+            page_fail(error.what());
+            return INFINITY;
+        }
+        const double longest = std::min(window.seconds_left(), window.watches_files() ? poll_seconds : INFINITY);
+        return window.unsettled() ? 0 : std::max(longest, 0.0);
+    }
+};
+
+} // namespace
+
+int run_window(const WindowOptions &options) {
+    auto *const shown = new PageWindow(options); // the page ends it
+    page_loop([](void *window) { return static_cast<PageWindow *>(window)->step(); }, shown, stack_top(shown->stack));
+    return 0;
+}
+
+} // namespace sandbox
+
+// What sandbox/page/browser.js calls when the page is hidden, which may be its end.
+extern "C" EMSCRIPTEN_KEEPALIVE const char *page_keep(void *window) {
+    auto *const shown = static_cast<sandbox::PageWindow *>(window);
+    shown->state = shown->window.keep();
+    return shown->state.c_str();
+}

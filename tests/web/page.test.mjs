@@ -1,0 +1,103 @@
+// The page in a real browser against the native program: the same pictures, figures and verdicts, and a window that
+// works. PROGRAM: the native executable; PAGE: the folder of shading-sandbox.html and split/.
+import assert from 'node:assert/strict';
+import {execFileSync} from 'node:child_process';
+import {mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {tmpdir} from 'node:os';
+import path from 'node:path';
+import {pathToFileURL} from 'node:url';
+import {after, before, describe, test} from 'node:test';
+import {newPage, openBrowser, runCommand, serve} from './browser.mjs';
+
+const program = process.env.PROGRAM, folder = process.env.PAGE;
+const scratch = mkdtempSync(path.join(tmpdir(), 'page-test-'));
+const native = (...words) => {
+  try {
+    return execFileSync(program, words, {cwd: scratch, encoding: 'utf8', maxBuffer: 1 << 28, stdio: ['ignore', 'pipe', 'ignore']});
+  } catch (failed) {
+    return failed.stdout; // exit code 1: a check failed, which is the figure
+  }
+};
+let browser, host;
+before(async () => {
+  host = await serve(path.join(folder, 'split'));
+  browser = await openBrowser();
+});
+after(async () => {
+  await browser.close();
+  host.close();
+  rmSync(scratch, {recursive: true});
+});
+
+describe('commands', () => {
+  const pictures = ['studio', 'vase', 'box-5-specular', 'spot-light', 'three-point-lights']
+    .flatMap(scene => ['per-vertex/phong', 'per-pixel/blinn-phong'].map(technique => [scene, technique]));
+  for (const [scene, technique] of pictures) {
+    test(`${scene}, ${technique}: every float32 as native`, async () => {
+      const words = ['capture', scene, '--technique', technique, '--size', '320x240', '--out', 'a.pfm'];
+      const run = await runCommand(browser, host.address, words);
+      assert.equal(run.code, 0, run.notes.join('\n'));
+      native(...words);
+      assert.ok((await run.read('a.pfm')).equals(readFileSync(path.join(scratch, 'a.pfm'))), 'the bytes differ');
+      assert.deepEqual(run.complaints, []);
+      await run.close();
+    });
+  }
+
+  test('compare prints the figures of the native program', async () => {
+    const words = ['compare', 'vase', '--left', 'per-vertex/phong', '--right', 'per-pixel/phong', '--size', '320x240'];
+    const run = await runCommand(browser, host.address, words);
+    const figures = text => text.split('\n').filter(line => !line.startsWith('renderer'));
+    assert.deepEqual(figures(run.printed), figures(native(...words)));
+    await run.close();
+  });
+
+  test('bad input is a sentence and exit code 2', async () => {
+    const run = await runCommand(browser, host.address, ['capture', 'vaze', '--out', 'a.png']);
+    assert.equal(run.code, 2);
+    assert.match(run.notes.join('\n'), /vase/);
+    await run.close();
+  });
+});
+
+describe('the window', () => {
+  const ready = page => page.waitForFunction(() => document.documentElement.dataset.ready, {timeout: 60000});
+  // A script of the window's own language, on a window in memory.
+  const script = async lines => runCommand(browser, host.address, ['view', '--script', 'clicks'], {'/home/web_user/clicks': lines.join('\n')});
+
+  for (const [where, size] of [['a server', {width: 1280, height: 720}], ['a file', {width: 390, height: 844}]]) {
+    test(`opens from ${where} at ${size.width}x${size.height}`, async () => {
+      const {page, complaints} = await newPage(browser, size);
+      await page.goto(where === 'a file' ? pathToFileURL(path.join(folder, 'shading-sandbox.html')) : host.address);
+      await ready(page);
+      assert.equal(await page.title(), 'studio - Shading Sandbox');
+      const levels = await page.evaluate(async () => {
+        await new Promise(requestAnimationFrame);
+        const copy = new OffscreenCanvas(64, 64).getContext('2d');
+        copy.drawImage(document.getElementById('canvas'), 0, 0, 64, 64);
+        return new Set(copy.getImageData(0, 0, 64, 64).data).size;
+      });
+      assert.ok(levels > 32, `only ${levels} levels of grey: nothing is drawn`);
+      assert.deepEqual(complaints, []);
+      await page.browserContext().close();
+    });
+  }
+
+  test('?SCENE opens a scene', async () => {
+    const {page} = await newPage(browser);
+    await page.goto(`${host.address}?vase`);
+    await ready(page);
+    assert.equal(await page.title(), 'vase - Shading Sandbox');
+    await page.browserContext().close();
+  });
+
+  test('widgets answer by name, jobs end, the lesson goes on', async () => {
+    const run = await script([
+      'click Scene', 'click Scene/vase', 'wait',
+      'key 2', 'key Ctrl+Z', 'key S', 'wait 20', 'texts', 'shot a.png',
+    ]);
+    assert.equal(run.code, 0, run.notes.join('\n'));
+    assert.equal((await run.read('a.png')).subarray(1, 4).toString(), 'PNG');
+    await run.close();
+  });
+});
