@@ -125,7 +125,8 @@ extern "C" void page_ended(int code); // sandbox/page/browser.js
 
 /// As a thread, so that what takes long lets the page live. The words live as long as the page.
 int main(int argc, char **argv) {
-    static const sandbox::Thread program([argc, argv](const std::stop_token &) { page_ended(run_program(argc, argv)); });
+    static const sandbox::Thread program(
+        [argc, argv](const std::stop_token &) { page_ended(run_program(argc, argv)); });
     return 0;
 }
 #endif

@@ -11,6 +11,8 @@ extern "C" {
 // sandbox/page/threads.js
 int page_can_suspend();
 void page_suspend();
+int page_context();
+void page_use_context(int context);
 void page_start(void (*run)(void *), void *argument, void *stack);
 // Of Emscripten's runtime: sets WebAssembly's stack pointer.
 void _emscripten_stack_restore(void *top);
@@ -29,11 +31,14 @@ Clock::time_point &slice_begin() {
     return begin;
 }
 
-/// Until the page has had its turn. Whoever ran meanwhile has left the stack pointer on a stack of its own.
+/// Until the page has had its turn. Whoever ran meanwhile has left the stack pointer on a stack of its own, and another
+/// context current.
 void suspend() {
     void *const stack = reinterpret_cast<void *>(emscripten_stack_get_current());
+    const int context = page_context();
     page_suspend();
     _emscripten_stack_restore(stack);
+    page_use_context(context);
     slice_begin() = Clock::now();
 }
 

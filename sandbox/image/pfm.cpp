@@ -3,8 +3,8 @@
 #include "image/error.h"
 #include "image/number.h"
 
-#include <charconv>
 #include <bit>
+#include <charconv>
 #include <cmath>
 
 namespace sandbox {

@@ -65,11 +65,18 @@ Module.keepAll = () => {
     Module.store.set('settings', FS.readFile(Module.settings, {encoding: 'utf8'}));
   } catch { /* none yet */ }
 };
-// Everything that was drawn is gone: begin again, with what was shown. Own shading may be why it is gone.
+// Everything that was drawn is gone: begin again with what was shown, but without own shading, which may be why.
 Module.lostContext = () => {
   Module.keepAll();
-  Module.store.set('lost', '1');
-  location.reload();
+  const state = JSON.parse(Module.store.get('state') ?? '{}');
+  const own = state.techniques?.find(technique => technique.own !== undefined);
+  if (own) {
+    delete state.techniques;
+    Module.store.set('state', JSON.stringify(state));
+    Module.store.set('message', `${own.file}: the graphics driver gave up while it was shown, so it is shown no longer.`);
+  }
+  Module.keep = null; // or leaving would keep it again
+  location.replace(location.pathname);
 };
 
 (Module.preRun ??= []).push(() => {
@@ -96,5 +103,18 @@ Module.lostContext = () => {
     }
   };
 });
+if (Module.store.get('message')) {
+  Module.fail(Module.store.get('message'));
+  Module.store.set('message', '');
+  document.addEventListener('pointerdown', () => { document.getElementById('message').hidden = true; }, {once: true});
+}
 document.addEventListener('visibilitychange', () => { if (document.hidden) Module.keepAll(); });
 window.addEventListener('pagehide', () => Module.keepAll());
+
+const editor = document.getElementById('editor');
+editor.querySelector('textarea').addEventListener('input', event => { // the program watches the file, as on a disk
+  FS.writeFile(Module.edited, event.target.value);
+  Module.store.set('own', JSON.stringify({...JSON.parse(Module.store.get('own') ?? '{}'), [Module.edited]: event.target.value}));
+});
+document.getElementById('close').addEventListener('click', () => { editor.hidden = true; });
+document.getElementById('download').addEventListener('click', () => Module.download(Module.edited));

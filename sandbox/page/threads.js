@@ -36,6 +36,12 @@ addToLibrary({
     return pageThreads.turn();
   },
 
+  // Each thread draws in a context of its own.
+  page_context__deps: ['$GL'],
+  page_context: () => GL.currentContext?.handle ?? 0,
+  page_use_context__deps: ['$GL'],
+  page_use_context: context => { GL.makeContextCurrent(context); },
+
   page_start__deps: ['$pageThreads'],
   page_start: (run, argument, stack) => {
     pageThreads.turn().then(() => pageThreads.enter(run, stack, argument));

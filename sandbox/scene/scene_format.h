@@ -134,12 +134,12 @@ template <class T>
 concept HasFormat = !std::is_null_pointer_v<std::remove_cv_t<decltype(format_of<T>)>>;
 
 template <>
-inline constexpr auto format_of<Attenuation> =
-    make_format("attenuation", "Light weakens as 1 / (constant + linear d + quadratic d^2), d the distance in world units.",
-           control("constant", &Attenuation::constant, coefficient(""), "The constant coefficient."),
-           control("linear", &Attenuation::linear, coefficient("1/unit"), "The coefficient of d, per world unit."),
-           control("quadratic", &Attenuation::quadratic, coefficient("1/unit\xC2\xB2"),
-                   "The coefficient of d^2, per square world unit."));
+inline constexpr auto format_of<Attenuation> = make_format(
+    "attenuation", "Light weakens as 1 / (constant + linear d + quadratic d^2), d the distance in world units.",
+    control("constant", &Attenuation::constant, coefficient(""), "The constant coefficient."),
+    control("linear", &Attenuation::linear, coefficient("1/unit"), "The coefficient of d, per world unit."),
+    control("quadratic", &Attenuation::quadratic, coefficient("1/unit\xC2\xB2"),
+            "The coefficient of d^2, per square world unit."));
 
 template <>
 inline constexpr auto format_of<Light> = make_format(
@@ -195,30 +195,30 @@ inline constexpr auto format_of<Transform> = make_format(
 template <>
 inline constexpr auto format_of<SphereShape> =
     make_format("sphere", "A sphere about the origin, its poles on the y axis.",
-           control("radius", &SphereShape::radius, positive_length, "In object units."),
-           control("rings", &SphereShape::rings, count(2, 2048, 256), "Bands of latitude."),
-           control("segments", &SphereShape::segments, count(3, 2048, 256), "Slices of longitude."));
+                control("radius", &SphereShape::radius, positive_length, "In object units."),
+                control("rings", &SphereShape::rings, count(2, 2048, 256), "Bands of latitude."),
+                control("segments", &SphereShape::segments, count(3, 2048, 256), "Slices of longitude."));
 
 template <>
 inline constexpr auto format_of<BoxShape> =
     make_format("box", "A box about the origin.",
-           control("size", &BoxShape::size, positive_length, "Lengths of its edges along x, y and z."),
-           control("divisions", &BoxShape::divisions, count(1, 512, 64), "Squares along each edge of each face."));
+                control("size", &BoxShape::size, positive_length, "Lengths of its edges along x, y and z."),
+                control("divisions", &BoxShape::divisions, count(1, 512, 64), "Squares along each edge of each face."));
 
 template <>
 inline constexpr auto format_of<PlaneShape> =
     make_format("plane", "A rectangle in y = 0 about the origin, facing +y.",
-           control("size", &PlaneShape::size, positive_length, "Lengths along x and z."),
-           control("divisions", &PlaneShape::divisions, count(1, 1024, 128), "Squares along each edge."));
+                control("size", &PlaneShape::size, positive_length, "Lengths along x and z."),
+                control("divisions", &PlaneShape::divisions, count(1, 1024, 128), "Squares along each edge."));
 
 template <>
 inline constexpr auto format_of<CylinderShape> =
     make_format("cylinder", "A cylinder about the y axis, centred on the origin.",
-           control("radius", &CylinderShape::radius, positive_length, "In object units."),
-           control("height", &CylinderShape::height, positive_length, "In object units."),
-           control("segments", &CylinderShape::segments, count(3, 2048, 256), "Slices around the axis."),
-           control("rings", &CylinderShape::rings, count(1, 2048, 64), "Bands along the axis."),
-           control("caps", &CylinderShape::caps, any, "Closes its ends."));
+                control("radius", &CylinderShape::radius, positive_length, "In object units."),
+                control("height", &CylinderShape::height, positive_length, "In object units."),
+                control("segments", &CylinderShape::segments, count(3, 2048, 256), "Slices around the axis."),
+                control("rings", &CylinderShape::rings, count(1, 2048, 64), "Bands along the axis."),
+                control("caps", &CylinderShape::caps, any, "Closes its ends."));
 
 template <>
 inline constexpr auto format_of<TorusShape> = make_format(
@@ -229,18 +229,18 @@ inline constexpr auto format_of<TorusShape> = make_format(
     control("segments", &TorusShape::segments, count(3, 2048, 256), "Steps around the tube."));
 
 template <>
-inline constexpr auto format_of<ObjShape> =
-    make_format("obj", "A model read from a Wavefront OBJ file.",
-           field("obj", &ObjShape::path, any, "Path, relative to the scene file; a bare name may be a built-in model.",
-                 {.needed = always<ObjShape>}),
-           field("usemtl", &ObjShape::usemtl, any,
-                 "Only the faces under this usemtl of the file; \"\": those before any. Absent: all faces."));
+inline constexpr auto format_of<ObjShape> = make_format(
+    "obj", "A model read from a Wavefront OBJ file.",
+    field("obj", &ObjShape::path, any, "Path, relative to the scene file; a bare name may be a built-in model.",
+          {.needed = always<ObjShape>}),
+    field("usemtl", &ObjShape::usemtl, any,
+          "Only the faces under this usemtl of the file; \"\": those before any. Absent: all faces."));
 
 template <>
-inline constexpr auto format_of<Checker> =
-    make_format("checker", "Cubic cells of two colours in object space, across the mesh's bounding cube about its origin.",
-           control("cells", &Checker::cells, count(1, 1024, 32), "Cells along each axis."),
-           control("colors", &Checker::colors, linear_rgb, "The two colours, linear RGB.", {.label = "colour"}));
+inline constexpr auto format_of<Checker> = make_format(
+    "checker", "Cubic cells of two colours in object space, across the mesh's bounding cube about its origin.",
+    control("cells", &Checker::cells, count(1, 1024, 32), "Cells along each axis."),
+    control("colors", &Checker::colors, linear_rgb, "The two colours, linear RGB.", {.label = "colour"}));
 
 template <>
 inline constexpr auto format_of<Material> = make_format(
@@ -268,48 +268,47 @@ inline constexpr auto format_of<Material> = make_format(
           {.used = has_checker}));
 
 template <>
-inline constexpr auto
-    format_of<Object> = make_format("object", "A mesh, where it stands and what it is made of.",
-                               field("name", &Object::name, any, "What panels and messages call it."),
-                               field("mesh", &Object::mesh, any, "Its shape.", {.needed = always<Object>}),
-                               field("transform", &Object::transform, any, "Where it stands."),
-                               field("material", &Object::material, any, "What it is made of."),
-                               field("materials", &Object::materials, any,
-                                     "file: the materials of the OBJ file's own libraries; reading puts an object for "
-                                     "each in this one's place. What they leave open is as `material` says."),
-                               control("two_sided", &Object::two_sided, any,
-                                       "Turns the normal where a triangle shows its back, so that both sides are lit.",
-                                       {.label = "two-sided"}));
+inline constexpr auto format_of<Object> = make_format(
+    "object", "A mesh, where it stands and what it is made of.",
+    field("name", &Object::name, any, "What panels and messages call it."),
+    field("mesh", &Object::mesh, any, "Its shape.", {.needed = always<Object>}),
+    field("transform", &Object::transform, any, "Where it stands."),
+    field("material", &Object::material, any, "What it is made of."),
+    field("materials", &Object::materials, any,
+          "file: the materials of the OBJ file's own libraries; reading puts an object for "
+          "each in this one's place. What they leave open is as `material` says."),
+    control("two_sided", &Object::two_sided, any,
+            "Turns the normal where a triangle shows its back, so that both sides are lit.", {.label = "two-sided"}));
 
 template <>
 inline constexpr auto
     format_of<View> = make_format("view", "A camera with a name.",
-                             field("name", &View::name, any, "What --view takes.", {.needed = always<View>}),
-                             field("camera", &View::camera, any, "Its camera.", {.needed = always<View>}));
+                                  field("name", &View::name, any, "What --view takes.", {.needed = always<View>}),
+                                  field("camera", &View::camera, any, "Its camera.", {.needed = always<View>}));
 
 template <>
 inline constexpr auto format_of<Opening> =
     make_format("opening", "How the window shows the scene that it opens; commands take no notice.",
-           field("left", &Opening::left, any, "The technique of A, such as per-vertex/phong."),
-           field("right", &Opening::right, any, "The technique of B, such as per-pixel/phong."),
-           field("layout", &Opening::layout, any, "single, side-by-side, wipe, difference or three-up."));
+                field("left", &Opening::left, any, "The technique of A, such as per-vertex/phong."),
+                field("right", &Opening::right, any, "The technique of B, such as per-pixel/phong."),
+                field("layout", &Opening::layout, any, "single, side-by-side, wipe, difference or three-up."));
 
 template <>
-inline constexpr auto format_of<Scene> =
-    make_format("scene", "A scene of Shading Sandbox.", field("name", &Scene::name, any, "A title."),
-           field("description", &Scene::description, any, "What there is to see."),
-           field("source", &Scene::source, any, "The document that the scene reproduces."),
-           field("camera", &Scene::camera, any, "Where the scene is seen from."),
-           control("background", &Scene::background, linear_rgb, "Linear RGB where there is no object."),
-           control("ambient", &Scene::ambient, linear_rgb, "Ambient light of no light in particular, linear RGB."),
-           control("blinn_exponent_scale", &Scene::blinn_exponent_scale, exponent_scale,
-                   "Blinn-Phong's exponent is this times the shininess n; 4 matches Phong's highlights to 0.004 near "
-                   "normal incidence for n >= 32, and not at grazing angles (0.84 apart on a floor).",
-                   {.term = Term::blinn_highlight, .label = "Blinn n / n"}),
-           field("lights", &Scene::lights, {.low = 0, .high = 64}, "At most 64."),
-           field("objects", &Scene::objects, {.low = 0, .high = most_objects}, "What is lit; at most 10000."),
-           field("views", &Scene::views, any, "Named cameras."),
-           field("compare", &Scene::compare, any, "What the window shows of the scene when it opens."));
+inline constexpr auto format_of<Scene> = make_format(
+    "scene", "A scene of Shading Sandbox.", field("name", &Scene::name, any, "A title."),
+    field("description", &Scene::description, any, "What there is to see."),
+    field("source", &Scene::source, any, "The document that the scene reproduces."),
+    field("camera", &Scene::camera, any, "Where the scene is seen from."),
+    control("background", &Scene::background, linear_rgb, "Linear RGB where there is no object."),
+    control("ambient", &Scene::ambient, linear_rgb, "Ambient light of no light in particular, linear RGB."),
+    control("blinn_exponent_scale", &Scene::blinn_exponent_scale, exponent_scale,
+            "Blinn-Phong's exponent is this times the shininess n; 4 matches Phong's highlights to 0.004 near "
+            "normal incidence for n >= 32, and not at grazing angles (0.84 apart on a floor).",
+            {.term = Term::blinn_highlight, .label = "Blinn n / n"}),
+    field("lights", &Scene::lights, {.low = 0, .high = 64}, "At most 64."),
+    field("objects", &Scene::objects, {.low = 0, .high = most_objects}, "What is lit; at most 10000."),
+    field("views", &Scene::views, any, "Named cameras."),
+    field("compare", &Scene::compare, any, "What the window shows of the scene when it opens."));
 
 /// Calls f(field) for every field of T, in the order of the file.
 template <class T, class F> constexpr void for_each_field(F &&f) {

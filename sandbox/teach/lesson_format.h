@@ -25,15 +25,15 @@ constexpr Range mesh_factor{.low = least_mesh_factor, .high = most_mesh_factor};
 template <>
 inline constexpr auto format_of<LookHere> =
     make_format("look", "A ring over every view of the picture.",
-           field("at", &LookHere::at, share, "Shares of a view's width and height, from its upper left corner.",
-                 {.needed = always<LookHere>}),
-           field("radius", &LookHere::radius, share, "A share of a view's height."));
+                field("at", &LookHere::at, share, "Shares of a view's width and height, from its upper left corner.",
+                      {.needed = always<LookHere>}),
+                field("radius", &LookHere::radius, share, "A share of a view's height."));
 
 template <>
-inline constexpr auto
-    format_of<Question> = make_format("question", "A question whose answer is folded away.",
-                                 field("asks", &Question::asks, any, "The question.", {.needed = always<Question>}),
-                                 field("answer", &Question::answer, any, "Its answer.", {.needed = always<Question>}));
+inline constexpr auto format_of<Question> =
+    make_format("question", "A question whose answer is folded away.",
+                field("asks", &Question::asks, any, "The question.", {.needed = always<Question>}),
+                field("answer", &Question::answer, any, "Its answer.", {.needed = always<Question>}));
 
 template <>
 inline constexpr auto format_of<LessonClaim> = make_format(
@@ -89,16 +89,16 @@ inline constexpr auto format_of<LessonStep> = make_format(
     field("claims", &LessonStep::claims, Range{.high = 100}, "What the text says, to be measured."));
 
 template <>
-inline constexpr auto format_of<Lesson> =
-    make_format("lesson",
-           "A lesson of Shading Sandbox. A text is a string, {\"en\": ..., \"zh\": ...} or \"@key\" of "
-           "assets/words.",
-           field("title", &Lesson::title, any, "What the lesson is called.", {.needed = always<Lesson>}),
-           field("about", &Lesson::about, any, "What it teaches, in one line."),
-           field("order", &Lesson::order, any, "Lessons are listed in ascending order."),
-           field("seen", &Lesson::seen, any, "Of a famous bug: what people saw."),
-           field("cure", &Lesson::cure, any, "Of a famous bug: what helped."),
-           field("source", &Lesson::source, any, "Of a famous bug: where it was told, a project and a number."),
-           field("steps", &Lesson::steps, Range{.high = 1000}, "One after the other.", {.needed = always<Lesson>}));
+inline constexpr auto format_of<Lesson> = make_format(
+    "lesson",
+    "A lesson of Shading Sandbox. A text is a string, {\"en\": ..., \"zh\": ...} or \"@key\" of "
+    "assets/words.",
+    field("title", &Lesson::title, any, "What the lesson is called.", {.needed = always<Lesson>}),
+    field("about", &Lesson::about, any, "What it teaches, in one line."),
+    field("order", &Lesson::order, any, "Lessons are listed in ascending order."),
+    field("seen", &Lesson::seen, any, "Of a famous bug: what people saw."),
+    field("cure", &Lesson::cure, any, "Of a famous bug: what helped."),
+    field("source", &Lesson::source, any, "Of a famous bug: where it was told, a project and a number."),
+    field("steps", &Lesson::steps, Range{.high = 1000}, "One after the other.", {.needed = always<Lesson>}));
 
 } // namespace sandbox

@@ -206,13 +206,7 @@ std::vector<Action> make_actions() {
 #ifdef __EMSCRIPTEN__
         {edit, plain, GLFW_KEY_U, "U", said("action.copy_link"), said("action.copy_link.help"),
          [](Session &s) { s.requests.copy_link = true; }},
-        {window,
-         plain,
-         no_key,
-         "",
-         said("action.licences"),
-         {},
-         [](Session &s) { s.requests.show_licences = true; }},
+        {window, plain, no_key, "", said("action.licences"), {}, [](Session &s) { s.requests.show_licences = true; }},
 #else
         {window, plain, no_key, "", said("action.open_folder"), {}, ask_for_folder},
         {window, control, GLFW_KEY_Q, "Ctrl+Q", said("action.quit"), {}, [](Session &s) { s.requests.quit = true; }},

@@ -30,6 +30,8 @@ bool begin_fixed(const char *name, ImVec2 position, ImVec2 size, ImGuiWindowFlag
     return ImGui::Begin(name, nullptr, flags);
 }
 
+constexpr float upright_share = 0.4F; ///< of an upright window's height: the side panel
+
 /// Of the panel with its edge.
 float side_width(const Session &session, const ImGuiViewport &window) {
     const float ems = session.appearance.sizes.side_ems;
@@ -122,15 +124,20 @@ void draw_frame(Session &session, ViewPainter &painter, BottomPanel &bottom_pane
     const bool panels = session.appearance.panels;
     const ImGuiViewport &window = *ImGui::GetMainViewport(); // less the menu bar
     const float status = panels ? std::ceil(ImGui::GetFrameHeight()) : 0;
-    const float side = panels ? side_width(session, window) : 0;
+    const bool upright = is_upright(window.Size.x, window.Size.y, ImGui::GetFontSize());
+    const float side = panels && !upright ? side_width(session, window) : 0;
     const ImVec2 origin{window.WorkPos.x, std::floor(window.WorkPos.y)}; // whole pixels, or gaps show between windows
-    const ImVec2 room{std::max(window.WorkSize.x - side, 32.0F),
-                      std::max(std::round(window.WorkPos.y + window.WorkSize.y) - origin.y - status, 32.0F)};
+    const float height = std::max(std::round(window.WorkPos.y + window.WorkSize.y) - origin.y - status, 32.0F);
+    const float below = panels && upright ? std::floor(upright_share * height) : 0; // the side panel's
+    const ImVec2 room{std::max(window.WorkSize.x - side, 32.0F), std::max(height - below, 32.0F)};
     const float bottom = panels ? BottomPanel::height(session, room.y) : 0;
     if (panels) {
-        draw_edges(session, origin, side, room, bottom); // first of all: Ctrl+Tab comes to them last
+        if (!upright) {
+            draw_edges(session, origin, side, room, bottom); // first of all: Ctrl+Tab comes to them last
+        }
         menu_bar(session);
-        draw_side(session, origin, {side - edge_thickness(), room.y});
+        upright ? draw_side(session, {origin.x, origin.y + room.y}, {room.x, below})
+                : draw_side(session, origin, {side - edge_thickness(), room.y});
     }
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     if (begin_fixed("views", {origin.x + side, origin.y}, {room.x, std::max(room.y - bottom, 32.0F)}, still_window)) {
@@ -147,7 +154,7 @@ void draw_frame(Session &session, ViewPainter &painter, BottomPanel &bottom_pane
         draw_bottom(session, painter, bottom_panel, {origin.x + side, origin.y}, room, bottom - edge);
         ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
         ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
-        if (begin_fixed("status", {origin.x, origin.y + room.y}, {window.WorkSize.x, status},
+        if (begin_fixed("status", {origin.x, origin.y + height}, {window.WorkSize.x, status},
                         still_window & ~ImGuiWindowFlags_NoBackground)) {
             status_line(session, status);
         }

@@ -168,6 +168,22 @@ void right_buttons(Session &session) {
     }
 }
 
+/// All that has no room beside the first menus.
+void more_menu(Session &session) {
+    action_menu(session, session.label("menu.views"), Action::Group::layout);
+    const Label title = session.label("menu.more");
+    if (!begin_menu(session, title)) {
+        return;
+    }
+    action_menu(session, session.label("menu.edit"), Action::Group::edit);
+    action_menu(session, session.label("menu.window"), Action::Group::window);
+    language_menu(session);
+    const Label capture = session.label("menu.capture");
+    session.requests.capture = ImGui::MenuItem(capture.id().c_str()) || session.requests.capture;
+    describe_item(session, capture.name, "", capture.shown);
+    ImGui::EndMenu();
+}
+
 } // namespace
 
 void menu_bar(Session &session) {
@@ -176,12 +192,17 @@ void menu_bar(Session &session) {
     }
     scene_menu(session);
     lesson_menu(session);
-    action_menu(session, session.label("menu.edit"), Action::Group::edit);
-    action_menu(session, session.label("menu.window"), Action::Group::window);
-    language_menu(session);
-    ImGui::Spacing();
-    layout_buttons(session);
-    right_buttons(session);
+    const ImVec2 window = ImGui::GetMainViewport()->Size;
+    if (is_upright(window.x, window.y, ImGui::GetFontSize())) {
+        more_menu(session);
+    } else {
+        action_menu(session, session.label("menu.edit"), Action::Group::edit);
+        action_menu(session, session.label("menu.window"), Action::Group::window);
+        language_menu(session);
+        ImGui::Spacing();
+        layout_buttons(session);
+        right_buttons(session);
+    }
     ImGui::EndMainMenuBar();
 }
 

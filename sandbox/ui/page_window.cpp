@@ -19,7 +19,7 @@ void page_fail(const char *why);
 namespace sandbox {
 namespace {
 
-constexpr double poll_seconds = 0.5;                         ///< of files
+constexpr double poll_seconds = 0.5;                       ///< of files
 constexpr std::size_t window_stack = std::size_t{2} << 20; ///< bytes
 
 /// The window and what it stands on, for as long as the page is open.
@@ -34,6 +34,7 @@ struct PageWindow {
     /// Draws what has to be drawn; returns for how many seconds there is nothing to do unless something arrives.
     double step() {
         try {
+            host.context().make_current(); // a job may have drawn
             window.keep_time();
             window.step();
         } catch (const std::exception &error) {

@@ -18,6 +18,7 @@
 #include "ui/session/written_files.h"
 #include "ui/tabs/bottom_tabs.h"
 #include "ui/views/painters.h"
+#include "ui/widgets/theme.h"
 #include "words/row_words.h"
 
 #include <algorithm>
@@ -30,7 +31,6 @@ namespace sandbox {
 
 namespace {
 
-constexpr int settling_frames = 3;                        // Dear ImGui answers an input over up to three frames
 constexpr double message_seconds = 8, error_seconds = 30; // in the status line
 
 Document first_document(const WindowOptions &options) {
@@ -47,6 +47,10 @@ Window::Window(const WindowOptions &options, Host &host)
       background_(host.context(), options.assets, options.shaders), supplies_{&background_, drawn_by_},
       bottom_(supplies_), finder_(supplies_), settings_(options.settings), settings_file_(options.settings_file),
       frames_left_(settling_frames), captures_(supplies_, painter_.renderer()) {
+    const Size size = host_.framebuffer_size();
+    if (is_upright(static_cast<float>(size.width), static_cast<float>(size.height), 16 * host_.content_scale())) {
+        session_.view.layout = Layout::wipe; // two views would be too narrow
+    }
     show_view(options.file);
     session_.appearance.run_times = options.run_times;
     session_.appearance.dark = settings_.dark;
@@ -355,18 +359,6 @@ void Window::show_view(const OpenedFile &file) {
     }
 }
 
-void Window::save(const std::string &path) {
-    attempt(session_, session_.text("message.not_saved"), [&] {
-        std::filesystem::path file = std::filesystem::absolute(path);
-        if (!file.has_extension()) {
-            file += ".json";
-        }
-        write_file(file, scene_text(session_.document.scene, file.parent_path()));
-        add_recent(settings_, file);
-        session_.message = {session_.text("message.saved", file.string()), false};
-    });
-}
-
 void Window::use_clipboard(const Requests &requests) {
     attempt(session_, "", [&] {
         if (requests.copy_scene) {
@@ -379,36 +371,7 @@ void Window::use_clipboard(const Requests &requests) {
     });
 }
 
-void Window::keep_settings() {
-    if (settings_file_.empty()) {
-        return;
-    }
-    settings_.dark = session_.appearance.dark;
-    settings_.panels = session_.appearance.panels;
-    settings_.scale = static_cast<double>(session_.appearance.scale);
-    settings_.panel_sizes = session_.appearance.sizes;
-    settings_.lessons = session_.progress;
-    settings_.exercises = session_.solved;
-    const Size size = host_.framebuffer_size();
-    if (!session_.appearance.full_screen && size.width >= least_window.width && size.height >= least_window.height) {
-        const auto scale = static_cast<double>(host_.content_scale());
-        settings_.window = {static_cast<int>(size.width / scale), static_cast<int>(size.height / scale)};
-    }
-    attempt(session_, session_.text("message.settings_not_kept"), [&] { write_settings(settings_file_, settings_); });
-}
-
 Window::~Window() { keep_settings(); }
-
-/// What a capture would have beside it.
-std::string Window::state() {
-    const Size each = painter_.view(false).size;
-    return sidecar_text(scene_in_view(shown_document(session_), each), picture_options(session_, each), drawn_by_);
-}
-
-std::string Window::keep() {
-    keep_settings();
-    return state();
-}
 
 /// Shows `message` or, if a mesh is odd, what is odd about it. Throws InputError for textures and models that cannot be
 /// read.
@@ -423,45 +386,6 @@ void Window::load(const Scene &scene, const std::string &message) {
                                    mesh.against_normals, mesh.triangles.size());
     }
     session_.message = {note.empty() ? message : note, false};
-}
-
-void Window::capture() {
-    attempt(session_, session_.text("message.not_captured"), [&] {
-        const Size each = painter_.view(false).size;
-        captures_.add({session_.document.opened->name, scene_in_view(shown_document(session_), each),
-                       picture_options(session_, each)});
-        if (captures_.waiting() > 0) {
-            session_.message = {session_.text("message.waiting", captures_.waiting()), false};
-        }
-    });
-}
-
-void Window::end_capture(const CaptureQueue::Outcome &outcome) {
-    if (outcome.failure.empty()) {
-        say_captured(outcome.path);
-    } else {
-        session_.message = {session_.text("message.not_captured") + outcome.failure, true};
-    }
-    frames_left_ = settling_frames;
-}
-
-/// The frame that has just been drawn.
-void Window::capture_window(Size size) {
-    attempt(session_, session_.text("message.not_captured"), [&] {
-        const auto path =
-            std::filesystem::absolute(free_name(capture_folder(), session_.document.opened->name + "-window"));
-        write_file(path, encode_png(read_window_surface(host_.framebuffer(), size)));
-        say_captured(path.string());
-    });
-    frames_left_ = settling_frames;
-}
-
-void Window::say_captured(const std::string &path) {
-    session_.message = {session_.text("message.captured", path), false};
-    ImGui::SetClipboardText(path.c_str());
-    const std::string file = std::filesystem::path(path).filename().string();
-    notice_.say(session_.text(session_.appearance.panels ? "notice.captured" : "notice.captured_bare", file),
-                host_.seconds());
 }
 
 } // namespace sandbox

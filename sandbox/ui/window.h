@@ -90,6 +90,8 @@ class Window {
     void capture_window(Size size);
     void say_captured(const std::string &path);
 
+    static constexpr int settling_frames = 3; ///< Dear ImGui answers an input over up to three frames
+
     Assets assets_;
     bool polls_shaders_;
     OwnFiles own_files_;

@@ -10,14 +10,14 @@ namespace sandbox {
 template <> inline constexpr auto words_of<MarkTerm> = term_words;
 
 template <>
-inline constexpr auto format_of<ExerciseScene> =
-    make_format("exercise_scene", "A scene that answers are drawn in.",
-           field("name", &ExerciseScene::name, any, "What sentences call it; without it, its number."),
-           field("scene", &ExerciseScene::scene_json, any,
-                 "A built-in scene's name, a path beside the exercise, or a scene; the first one's without it."),
-           field("set", &ExerciseScene::set, any, "PATH=VALUE, as --set takes them: changes the scene."),
-           field("withheld", &ExerciseScene::withheld, any, "true: marked, but not in the student's copy."),
-           field("stiff", &ExerciseScene::stiff, any, "true: an extreme scene, in which every pixel must be finite."));
+inline constexpr auto format_of<ExerciseScene> = make_format(
+    "exercise_scene", "A scene that answers are drawn in.",
+    field("name", &ExerciseScene::name, any, "What sentences call it; without it, its number."),
+    field("scene", &ExerciseScene::scene_json, any,
+          "A built-in scene's name, a path beside the exercise, or a scene; the first one's without it."),
+    field("set", &ExerciseScene::set, any, "PATH=VALUE, as --set takes them: changes the scene."),
+    field("withheld", &ExerciseScene::withheld, any, "true: marked, but not in the student's copy."),
+    field("stiff", &ExerciseScene::stiff, any, "true: an extreme scene, in which every pixel must be finite."));
 
 template <>
 inline constexpr auto format_of<TermPoints> = make_format(

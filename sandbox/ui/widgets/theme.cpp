@@ -67,6 +67,8 @@ constexpr unsigned light_series[] = {0x8A8A9C, 0xE8254F, 0x0072B2, 0x175A20, 0x7
 
 } // namespace
 
+bool is_upright(float width, float height, float text_height) { return width < 36 * text_height && height > width; }
+
 void apply_theme(bool dark, float scale) {
     ImGuiStyle &style = ImGui::GetStyle();
     style = ImGuiStyle(); // sizes are scaled from their originals, never twice

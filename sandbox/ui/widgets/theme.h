@@ -7,6 +7,9 @@ namespace sandbox {
 /// Colours and spacing for dark or light rooms, both at high contrast; `scale` 1 is for 16-pixel text.
 void apply_theme(bool dark, float scale);
 
+/// A window so narrow and high that panels stand below the pictures: a phone's.
+bool is_upright(float width, float height, float text_height);
+
 /// Colours of the theme in use:
 ImVec4 quiet_text();     ///< headings, what is less important
 ImVec4 error_text();     ///< what went wrong
