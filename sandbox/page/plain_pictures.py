@@ -16,12 +16,12 @@ def chunk(kind, content):
 
 for file in folder.glob("*.png"):
     data = file.read_bytes()
-    at, header, pixels = 8, b"", b""
+    at, head, pixels = 8, b"", b""
     while at < len(data):
         length, kind = struct.unpack(">I4s", data[at:at + 8])
         content = data[at + 8:at + 8 + length]
-        header = content if kind == b"IHDR" else header
+        head += chunk(kind, content) if kind in (b"IHDR", b"PLTE") else b""
         pixels += content if kind == b"IDAT" else b""
         at += 12 + length
     plain = zlib.compress(zlib.decompress(pixels), 0)
-    (out / file.name).write_bytes(data[:8] + chunk(b"IHDR", header) + chunk(b"IDAT", plain) + chunk(b"IEND", b""))
+    (out / file.name).write_bytes(data[:8] + head + chunk(b"IDAT", plain) + chunk(b"IEND", b""))

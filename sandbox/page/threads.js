@@ -4,12 +4,12 @@
 addToLibrary({
   $pageThreads__deps: ['$stackSave', '$stackRestore', '$wasmTable'],
   $pageThreads: {
-    canSuspend: typeof WebAssembly.Suspending === 'function' && typeof WebAssembly.promising === 'function',
+    canSuspend: () => typeof WebAssembly.Suspending === 'function' && typeof WebAssembly.promising === 'function',
     pageStack: 0, // where the page's own stack begins: what events call
     // Calls `pointer` on the stack that begins at `stack`; gives its result, or a promise of it.
     enter(pointer, stack, ...values) {
       const call = wasmTable.get(pointer);
-      if (!pageThreads.canSuspend) {
+      if (!pageThreads.canSuspend()) {
         return call(...values);
       }
       pageThreads.pageStack ||= stackSave();
@@ -27,7 +27,7 @@ addToLibrary({
   },
 
   page_can_suspend__deps: ['$pageThreads'],
-  page_can_suspend: () => pageThreads.canSuspend ? 1 : 0,
+  page_can_suspend: () => pageThreads.canSuspend() ? 1 : 0,
 
   page_suspend__deps: ['$pageThreads'],
   page_suspend__postset: '_page_suspend.suspends = true;', // instantiateWasm in page.js makes it wait

@@ -14,7 +14,7 @@ constexpr double long_draw = 50; // ms
 double wall_milliseconds(const std::function<void()> &frame) {
     const auto start = std::chrono::steady_clock::now();
     frame();
-    glFinish();
+    finish_drawing();
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 

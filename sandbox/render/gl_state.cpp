@@ -36,6 +36,20 @@ PassState::~PassState() { set_defaults(); }
 
 bool is_es() { return GLAD_GL_ES_VERSION_3_0 != 0; }
 
+/// A browser's glFinish() waits for nothing, so a pixel is read there.
+void finish_drawing() {
+#ifdef __EMSCRIPTEN__
+    GLint bound = 0;
+    unsigned char pixel[4];
+    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &bound);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(bound));
+#else
+    glFinish();
+#endif
+}
+
 void forget_gl_errors() {
     while (glGetError() != GL_NO_ERROR) {
     }

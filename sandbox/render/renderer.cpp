@@ -263,7 +263,7 @@ void Renderer::draw_unguarded(const Scene &scene, const Technique &technique, Ta
     impl_->draw(scene, technique, canvas_of(target), false);
 }
 
-void Renderer::finish() { glFinish(); }
+void Renderer::finish() { finish_drawing(); }
 
 Frame Renderer::render(const Scene &scene, const Technique &technique, Size size, bool object_ids) {
     if (impl_->drawn_elsewhere(technique)) {

@@ -47,11 +47,12 @@ Window::Window(const WindowOptions &options, Host &host)
       background_(host.context(), options.assets, options.shaders), supplies_{&background_, drawn_by_},
       bottom_(supplies_), finder_(supplies_), settings_(options.settings), settings_file_(options.settings_file),
       frames_left_(settling_frames), captures_(supplies_, painter_.renderer()) {
+    show_view(options.file);
     const Size size = host_.framebuffer_size();
-    if (is_upright(static_cast<float>(size.width), static_cast<float>(size.height), 16 * host_.content_scale())) {
+    if (!options.file.capture &&
+        is_upright(static_cast<float>(size.width), static_cast<float>(size.height), 16 * host_.content_scale())) {
         session_.view.layout = Layout::wipe; // two views would be too narrow
     }
-    show_view(options.file);
     session_.appearance.run_times = options.run_times;
     session_.appearance.dark = settings_.dark;
     session_.appearance.panels = settings_.panels;

@@ -128,24 +128,28 @@ def paeth(left, above, corner):
     return min((left, above, corner), key=lambda level: abs(guess - level))
 
 
-def filtered(levels, above):
-    """A row as PNG stores it, under the filter that leaves the least: less its left, its upper, or Paeth's neighbour."""
-    left, corner = [0, 0, 0] + levels[:-3], [0, 0, 0] + above[:-3]
-    choices = ((1, left), (2, above), (4, [paeth(*near) for near in zip(left, above, corner)]))
-    rows = [(kind, bytes((level - guess) & 255 for level, guess in zip(levels, guesses))) for kind, guesses in choices]
-    kind, row = min(rows, key=lambda choice: sum(min(byte, 256 - byte) for byte in choice[1]))
-    return bytes([kind]) + row
+def filtered(kind, row, above, size):
+    """A row as PNG stores it under filter `kind`, less its neighbours; `size`: bytes a pixel."""
+    left, corner = [0] * size + row[:-size], [0] * size + above[:-size]
+    guesses = {0: [0] * len(row), 1: left, 2: above, 3: [(a + b) // 2 for a, b in zip(left, above)],
+               4: [paeth(*near) for near in zip(left, above, corner)]}[kind]
+    return bytes([kind]) + bytes((level - guess) & 255 for level, guess in zip(row, guesses))
 
 
 def png(pixel, side, sigma):
-    """An RGB PNG of pixel(u, v), u to the right, v downwards."""
-    data, above = bytearray(), [0] * 3 * side
-    for row in softened([[pixel((x + 0.5) / side, (y + 0.5) / side) for x in range(side)] for y in range(side)], sigma):
-        levels = [round(255 * c) for colour in row for c in colour]
-        data += filtered(levels, above)
-        above = levels
-    header = struct.pack(">IIBBBBB", side, side, 8, 2, 0, 0, 0)
-    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(bytes(data), 9))
+    """A PNG of pixel(u, v), u to the right, v downwards: of up to 256 colours, by their number, the darkest first."""
+    picture = [[bytes(round(255 * c) for c in colour) for colour in row] for row in softened(
+        [[pixel((x + 0.5) / side, (y + 0.5) / side) for x in range(side)] for y in range(side)], sigma)]
+    colours = sorted({colour for row in picture for colour in row}, key=lambda colour: (sum(colour), colour))
+    palette = len(colours) <= 256
+    number = {colour: bytes([i & 255]) if palette else colour for i, colour in enumerate(colours)}
+    rows = [list(b"".join(number[colour] for colour in row)) for row in picture]
+    above = [[0] * len(rows[0]), *rows[:-1]]
+    choices = (zlib.compress(b"".join(filtered(kind, *near, 1 if palette else 3) for near in zip(rows, above)), 9)
+               for kind in range(5))
+    header = struct.pack(">IIBBBBB", side, side, 8, 3 if palette else 2, 0, 0, 0)
+    table = chunk(b"PLTE", b"".join(colours)) if palette else b""
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + table + chunk(b"IDAT", min(choices, key=len))
             + chunk(b"IEND", b""))
 
 
