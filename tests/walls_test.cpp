@@ -61,6 +61,7 @@ const std::vector<Library> libraries = {
     {"(unistd|fcntl|malloc|poll|termios|spawn)\\.h|sys/.*", {}},
     {"glad/.*|EGL/.*|dlfcn\\.h", {"render"}},
     {"GLFW/.*", {"render", "ui"}},
+    {"emscripten.*", {"image", "render", "ui"}},
     {"imstb_truetype\\.h", {"image"}},
     {"imgui.*|backends/imgui.*", {"ui"}},
     {"spng\\.h|zlib\\.h|jpeglib\\.h|jerror\\.h", {"image"}},

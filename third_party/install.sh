@@ -17,7 +17,7 @@ tests=(libgtest-dev libbenchmark-dev libstb-dev xvfb xdotool imagemagick procps
        dpkg-dev file desktop-file-utils bash-completion) # and what packs the program
 
 web=(clang-19 lld-19 llvm-19 python3 nodejs node-acorn dpkg-dev # Emscripten runs on these
-     python3-fonttools fonts-noto-cjk)                         # the page's fonts
+     python3-fonttools fonts-droid-fallback)                   # the page's fonts
 web_tests=(chromium brotli)
 
 fail() {

@@ -31,7 +31,9 @@ Clock::time_point &slice_begin() {
     return begin;
 }
 
-/// Until the page has had its turn. Whoever ran meanwhile has left the stack pointer on a stack of its own, and another
+} // namespace
+
+/// Whoever ran meanwhile has left the stack pointer on a stack of its own, and another
 /// context current.
 void suspend() {
     void *const stack = reinterpret_cast<void *>(emscripten_stack_get_current());
@@ -41,8 +43,6 @@ void suspend() {
     page_use_context(context);
     slice_begin() = Clock::now();
 }
-
-} // namespace
 
 struct Thread::State {
     std::function<void(const std::stop_token &)> work;
@@ -101,13 +101,11 @@ void Thread::join() {
     state_.reset();
 }
 
-void let_others_run() {
+void suspend_if_due() {
     if (page_can_suspend() != 0 && Clock::now() - slice_begin() >= slice) {
         suspend();
     }
 }
-
-void rest() { suspend(); }
 
 bool Signal::wait(std::unique_lock<std::mutex> &lock, const std::stop_token &stop, const std::function<bool()> &holds) {
     while (!holds()) {

@@ -5,6 +5,10 @@
 
 namespace sandbox {
 
+/// Stops the running thread until the page has had its turn; the second one only if it has run for long.
+void suspend();
+void suspend_if_due();
+
 /// Where a stack that lies there begins: WebAssembly's stacks grow downwards.
 void *stack_top(std::vector<std::byte> &stack);
 

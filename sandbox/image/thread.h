@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <condition_variable>
 #include <functional>
 #include <mutex>
@@ -17,10 +16,6 @@ namespace sandbox {
 #ifndef __EMSCRIPTEN__
 
 using Thread = std::jthread;
-/// Work that takes long calls this often: all else gets its turn.
-inline void let_others_run() {}
-/// For what waits for others without a signal.
-inline void rest() { std::this_thread::sleep_for(std::chrono::milliseconds(2)); }
 
 /// What one thread tells others that wait.
 class Signal {
@@ -56,9 +51,6 @@ class Thread {
     std::shared_ptr<State> state_;
 };
 
-void let_others_run();
-void rest();
-
 class Signal {
   public:
     void notify() {}
@@ -66,5 +58,10 @@ class Signal {
 };
 
 #endif
+
+/// Work that takes long calls this often: all else in a page gets its turn.
+void let_others_run();
+/// For what waits for others without a signal.
+void rest();
 
 } // namespace sandbox

@@ -16,20 +16,20 @@ chinese = sorted({character for file in assets.rglob("*.json") for character in 
                   if character >= 0x2E80})
 
 
-def write(source, number, characters, name):
-    path = next(pathlib.Path("/usr/share/fonts").rglob(source), None)
+def write(name, characters):
+    path = next(pathlib.Path("/usr/share/fonts").rglob(name), None)
     if path is None:
-        sys.exit(f"subset_fonts.py: there is no font {source}: run third_party/install.sh web")
-    font = TTFont(path, fontNumber=number)
+        sys.exit(f"subset_fonts.py: there is no font {name}: run third_party/install.sh web")
+    font = TTFont(path)
     options = subset.Options(layout_features=[], hinting=False, name_IDs=[0, 1, 2, 13], glyph_names=False,
-                             notdef_outline=True, desubroutinize=False)
-    options.drop_tables += ["vhea", "vmtx", "BASE", "GSUB", "GPOS", "VORG", "FFTM"]
+                             notdef_outline=True)
+    options.drop_tables += ["vhea", "vmtx", "GSUB", "GPOS", "FFTM"]
     subsetter = subset.Subsetter(options)
     subsetter.populate(unicodes=characters)
     subsetter.subset(font)
     font.save(folder / name)
 
 
-write("NotoSansCJK-Regular.ttc", 2, chinese, "NotoSansSC-Regular.otf")
-write("DejaVuSansMono.ttf", -1, latin, "DejaVuSansMono.ttf")
-write("DejaVuSans.ttf", -1, latin, "DejaVuSans.ttf")
+write("DroidSansFallbackFull.ttf", chinese)
+write("DejaVuSansMono.ttf", latin)
+write("DejaVuSans.ttf", latin)

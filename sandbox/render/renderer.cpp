@@ -129,9 +129,9 @@ struct Renderer::Impl {
         const GlProgram &program = programs.get(draw.prepared.program);
         glUseProgram(program.id());
         upload_uniforms(program, draw);
-        if (own.texture != nullptr && program.has("base_texture")) {
+        if (program.has("base_texture")) { // without one: nothing, for WebGL refuses what was bound, the target itself say
             glActiveTexture(GL_TEXTURE0);
-            glBindTexture(GL_TEXTURE_2D, texture(own.texture));
+            glBindTexture(GL_TEXTURE_2D, own.texture != nullptr ? texture(own.texture) : 0);
         }
         set_culling(draw.scene.camera, draw.object, draw.mesh, draw.aspect());
         buffers(own.mesh).draw(draw.prepared.needs.attributes);

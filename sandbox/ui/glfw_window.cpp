@@ -3,7 +3,6 @@
 #include "image/error.h"
 #include "render/glfw_context.h"
 #include "render/lost_display.h"
-#include "ui/jobs/drawing_job.h"
 #include "ui/session/settings.h"
 
 #include <GLFW/glfw3.h>
@@ -56,8 +55,6 @@ void set_hints(Profile profile) {
 }
 
 } // namespace
-
-void wake_window() { glfwPostEmptyEvent(); }
 
 GlfwWindow::GlfwWindow(Size size, Profile profile) {
     if (glfwInit() != GLFW_TRUE) {

@@ -2,7 +2,6 @@
 
 #include "render/page_context.h"
 #include "ui/gui_keys.h"
-#include "ui/jobs/drawing_job.h"
 
 #include <GLFW/glfw3.h>
 #include <emscripten.h>
@@ -26,8 +25,6 @@ void page_want_text(int on);
 }
 
 namespace sandbox {
-
-void wake_window() { page_wake(); }
 
 PageHost::PageHost() : context_(make_canvas_context()) { page_listen(this); }
 

@@ -2,11 +2,26 @@
 
 #include "ui/widgets/widgets.h"
 
+#ifndef __EMSCRIPTEN__
+#include <GLFW/glfw3.h>
+#endif
 #include <fmt/format.h>
 #include <imgui.h>
 #include <string>
 
+#ifdef __EMSCRIPTEN__
+extern "C" void page_wake(); // sandbox/page/browser.js
+#endif
+
 namespace sandbox {
+
+void wake_window() {
+#ifdef __EMSCRIPTEN__
+    page_wake();
+#else
+    glfwPostEmptyEvent();
+#endif
+}
 
 void job_progress_row(Session &session, BackgroundJob &job) {
     const bool cancelled = job.cancelled();
