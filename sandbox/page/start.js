@@ -60,7 +60,10 @@ Module.keepAll = () => {
   if (!Module.keep) {
     return;
   }
-  Module.store.set('state', Module.keep());
+  const state = Module.keep();
+  if (state) {
+    Module.store.set('state', state);
+  }
   try {
     Module.store.set('settings', FS.readFile(Module.settings, {encoding: 'utf8'}));
   } catch { /* none yet */ }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <exception>
 #include <string>
 
@@ -59,6 +60,10 @@ int run_window(const WindowOptions &options) {
 // What sandbox/page/browser.js calls when the page is hidden, which may be its end.
 extern "C" EMSCRIPTEN_KEEPALIVE const char *page_keep(void *window) {
     auto *const shown = static_cast<sandbox::PageWindow *>(window);
-    shown->state = shown->window.keep();
-    return shown->state.c_str();
+    try {
+        shown->state = shown->window.keep();
+    } catch (const std::exception &error) {
+        std::fprintf(stderr, "what is shown cannot be kept: %s\n", error.what());
+    }
+    return shown->state.c_str(); // the last that could
 }

@@ -62,7 +62,7 @@ class Window {
     Window &operator=(const Window &) = delete;
     /// Is there a file that may be saved while nothing arrives?
     [[nodiscard]] bool watches_files() const;
-    /// Writes the settings; what is shown, as a sidecar's text.
+    /// Writes the settings; what is shown, as a sidecar's text, empty before that.
     std::string keep();
     [[nodiscard]] bool quit_asked() const { return session_.requests.quit; }
     [[nodiscard]] Session &session() { return session_; }

@@ -40,9 +40,12 @@ void Window::keep_settings() {
     attempt(session_, session_.text("message.settings_not_kept"), [&] { write_settings(settings_file_, settings_); });
 }
 
-/// What a capture would have beside it.
+/// What a capture would have beside it; empty before anything is shown.
 std::string Window::state() {
     const Size each = painter_.view(false).size;
+    if (each.width == 0 || each.height == 0) {
+        return {}; // nothing has been shown yet
+    }
     return sidecar_text(scene_in_view(shown_document(session_), each), picture_options(session_, each), drawn_by_);
 }
 

@@ -52,6 +52,25 @@ describe('commands', () => {
     await run.close();
   });
 
+  test('the lessons and famous bugs have the verdicts of the native program', async () => {
+    for (const which of ['all', 'gallery']) {
+      const run = await runCommand(browser, host.address, ['lesson', which, '--json']);
+      assert.equal(run.code, 0);
+      const verdicts = text => JSON.stringify(JSON.parse(text), (key, value) =>
+        ['renderer', 'opengl', 'value', 'measured'].includes(key) ? undefined : value, 1);
+      assert.equal(verdicts(run.printed), verdicts(native('lesson', which, '--json')));
+      assert.deepEqual(run.complaints, []);
+      await run.close();
+    }
+  });
+
+  test('no stability case breaks its bound', async () => {
+    const run = await runCommand(browser, host.address, ['stability', '--out', 's']);
+    assert.equal(run.code, 0, run.notes.join('\n'));
+    assert.deepEqual(run.complaints, []);
+    await run.close();
+  });
+
   test('bad input is a sentence and exit code 2', async () => {
     const run = await runCommand(browser, host.address, ['capture', 'vaze', '--out', 'a.png']);
     assert.equal(run.code, 2);
@@ -98,6 +117,84 @@ describe('the window', () => {
     ]);
     assert.equal(run.code, 0, run.notes.join('\n'));
     assert.equal((await run.read('a.png')).subarray(1, 4).toString(), 'PNG');
+    await run.close();
+  });
+
+  test('a link opens what it was made of, a damaged one is a sentence', async () => {
+    const {page} = await newPage(browser);
+    await page.goto(`${host.address}?vase`);
+    await ready(page);
+    await page.evaluate(() => Module.share(Module.keep()));
+    const link = await page.waitForFunction(() => location.hash.length > 1 && location.hash).then(hash => hash.jsonValue());
+    await page.evaluate(() => { Module.keep = null; });
+    const {page: other, complaints} = await newPage(browser);
+    await other.goto(`${host.address}/${link}`);
+    await ready(other);
+    assert.equal(await other.evaluate(() => JSON.parse(Module.keep()).scene.name), await page.evaluate(
+      state => JSON.parse(state).scene.name, await other.evaluate(() => Module.state)));
+    assert.deepEqual(complaints, []);
+    await other.goto('about:blank');
+    await other.goto(`${host.address}/${link.slice(0, link.length / 2)}`);
+    await other.waitForFunction(() => !document.getElementById('message').hidden);
+    assert.match(await other.evaluate(() => document.getElementById('message').textContent), /link is damaged/);
+    await page.browserContext().close();
+    await other.browserContext().close();
+  });
+
+  test('what was edited is there when the page is opened again', async () => {
+    const {page} = await newPage(browser);
+    await page.goto(host.address);
+    await ready(page);
+    await page.keyboard.press('2'); // the wipe
+    await page.waitForFunction(() => JSON.parse(Module.keep()).layout === 'wipe');
+    await page.reload();
+    await ready(page);
+    assert.equal(await page.evaluate(() => JSON.parse(Module.keep()).layout), 'wipe');
+    await page.browserContext().close();
+  });
+
+  test('own shading is written, edited and drawn in the page', async () => {
+    const own = native('own', '--answer');
+    const {page, complaints} = await newPage(browser, undefined, {'/home/web_user/mine.glsl': own});
+    await page.goto(`${host.address}?view&studio&--own-left&mine.glsl&--left&per-pixel/own&--right&per-pixel/phong`);
+    await ready(page);
+    await page.waitForFunction(text => Module.keep() && JSON.parse(Module.keep()).techniques[0].own === text, {}, own);
+    await page.evaluate(() => {
+      Module.edit('/home/web_user/mine.glsl');
+      const area = document.querySelector('#editor textarea');
+      area.value += '// once more\n';
+      area.dispatchEvent(new Event('input'));
+    });
+    await page.waitForFunction(() => JSON.parse(Module.keep()).techniques[0].own.endsWith('// once more\n'));
+    assert.deepEqual(complaints, []);
+    await page.browserContext().close();
+  });
+});
+
+// Another rasterizer: edges fall otherwise, the rest is the same light.
+describe('SwiftShader', () => {
+  let other;
+  before(async () => { other = await openBrowser('swiftshader'); });
+  after(() => other.close());
+
+  // Filtered textures differ more: of 8 bits, the weights of each renderer are its own.
+  for (const [scene, share] of [['box-5-specular', 0.97], ['studio', 0.9]]) test(`${scene}: ${100 * share} % of the pixels at the same level`, async () => {
+    const words = ['capture', scene, '--size', '320x240', '--out', 'a.pfm'];
+    const run = await runCommand(other, host.address, words);
+    assert.equal(run.code, 0, run.notes.join('\n'));
+    native(...words);
+    const floats = bytes => new Float32Array(new Uint8Array(bytes.subarray(bytes.length - 320 * 240 * 12)).buffer);
+    const a = floats(await run.read('a.pfm')), b = floats(readFileSync(path.join(scratch, 'a.pfm')));
+    const level = value => Math.round(255 * Math.min(Math.max(value, 0), 1));
+    let same = 0, near = 0;
+    for (let i = 0; i < a.length; i += 3) {
+      const worst = Math.max(...[0, 1, 2].map(c => Math.abs(level(a[i + c]) - level(b[i + c]))));
+      same += worst === 0;
+      near += worst <= 1;
+    }
+    const pixels = a.length / 3;
+    assert.ok(same >= share * pixels, `${same} of ${pixels} at 0 levels`);
+    assert.ok(near >= 0.99 * pixels, `${pixels - near} of ${pixels} differ by more: edges alone are fewer`);
     await run.close();
   });
 });
