@@ -20,6 +20,11 @@ vec3 h(vec3 v)
     return vec3(h(v.x), h(v.y), h(v.z));
 }
 
+vec4 h(vec4 v)
+{
+    return vec4(h(v.xyz), h(v.w));
+}
+
 // GLSL's own functions, operation by operation in written order.
 float h_dot(vec3 a, vec3 b)
 {

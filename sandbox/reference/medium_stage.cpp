@@ -10,6 +10,7 @@
 #include <glm/common.hpp>
 #include <glm/trigonometric.hpp>
 #include <numbers>
+#include <vector>
 
 namespace sandbox::reference {
 
@@ -86,53 +87,77 @@ class MediumStage {
         ambient = material_.ambient * ambient + (has_base_ ? glm::dvec3(0) : material_.emission);
         sum_ = hybrid() ? Triple{} : keep(Kept::sum, keep(Kept::ambient, ambient));
         for (const LightKind &kind : light_kinds) {
+            std::vector<std::size_t> lights;
             for (std::size_t i = 0; i < setup_.lights.size(); ++i) {
                 if (drawn_type(setup_.lights[i].light) == kind.type) {
-                    add_light(i);
+                    lights.push_back(i);
                 }
+            }
+            bool ambient = false, diffuse = false, specular = false; // terms of the kind that fade
+            for (const std::size_t i : lights) {
+                const Light &light = setup_.lights[i].light;
+                const ShiningTerms shines = terms_here(light);
+                ambient = ambient || (shines.ambient && light.attenuate_ambient && fades(light));
+                diffuse = diffuse || shines.diffuse;
+                specular = specular || (shines.specular && !specular_apart());
+            }
+            for (const std::size_t i : lights) {
+                add_light(i, int{ambient} + int{diffuse} + int{specular} == 1);
             }
         }
     }
 
-    /// light_terms.glsl. A term that a factor of 0 takes away is not there.
-    void add_light(std::size_t index) {
+    /// A term that a factor of 0 takes away is not there.
+    [[nodiscard]] ShiningTerms terms_here(const Light &light) const {
+        const ShiningTerms shines = terms_on(object_, light, technique_.model);
+        return {.ambient = shines.ambient && !hybrid() && ambient_with_light(light, technique_),
+                .diffuse = shines.diffuse && !hybrid(),
+                .specular = shines.specular};
+    }
+    [[nodiscard]] bool specular_apart() const {
+        return has_base_ && !material_.texture_modulates_specular && !hybrid();
+    }
+
+    /// light_terms.glsl. `alone`: one term fades, so that the text needs no brackets around it.
+    void add_light(std::size_t index, bool alone) {
         const LightSetup &setup = setup_.lights[index];
         const Light &light = setup.light;
-        const ShiningTerms shines = terms_on(object_, light, technique_.model);
-        const bool with_ambient = shines.ambient && !hybrid() && ambient_with_light(light, technique_);
-        const bool with_diffuse = shines.diffuse && !hybrid();
-        if (!with_ambient && !with_diffuse && !shines.specular) {
+        const ShiningTerms shines = terms_here(light);
+        if (!shines.ambient && !shines.diffuse && !shines.specular) {
             return;
         }
         const bool attenuated = has_position(light) && light.attenuation != Attenuation{};
         find_direction(index, attenuated);
         const Number a = attenuated ? keep(Kept::a, attenuation(index)) : one;
         const Number times = a * (has_cone(light) ? keep(Kept::s, cone(setup)) : one);
+        const Number first = alone ? times : one;
         const Number n_dot_l = keep(Kept::n_dot_l, dot(N_, L_));
-        const bool fading = light.attenuate_ambient && fades(light);
         Triple plain, faded; // zero: adding that changes nothing
-        if (with_ambient) {
+        if (shines.ambient) {
             const bool dark = technique_.ambient == AmbientWhere::where_lit && !(n_dot_l.value > 0);
-            const Triple ambient = keep(Kept::light_ambient, material_.ambient * light.color * light.ambient);
-            (fading ? faded : plain) = (dark ? Number{} : one) * ambient;
+            const Triple ambient =
+                (dark ? Number{} : one) * keep(Kept::light_ambient, material_.ambient * light.color * light.ambient);
+            (light.attenuate_ambient && fades(light) ? faded : plain) = ambient;
+            faded = first * faded;
         }
-        if (with_diffuse) {
+        if (shines.diffuse) {
             const bool unnegated = technique_.direction == DirectionSign::unnegated_diffuse && !has_position(light);
             const double over = technique_.normalisation == Normalisation::blinn_phong ? std::numbers::inv_pi : 1;
-            faded = faded + keep(Kept::light_diffuse, material_.diffuse * light.color * (light.diffuse * over)) *
+            faded = faded + first *
+                                keep(Kept::light_diffuse, material_.diffuse * light.color * (light.diffuse * over)) *
                                 max(unnegated ? -n_dot_l : n_dot_l, 0);
         }
         if (shines.specular) {
             const double scale = light.specular * highlight_scale(setup_, material_.shininess);
-            const Triple specular = keep(Kept::light_specular, material_.specular * light.color * scale) *
-                                    keep(Kept::highlight, gated_highlight(index, n_dot_l));
-            if (has_base_ && !material_.texture_modulates_specular && !hybrid()) {
-                specular_ = keep(Kept::specular, specular_ + times * specular);
+            const Triple specular = keep(Kept::light_specular, material_.specular * light.color * scale);
+            const Number highlight = keep(Kept::highlight, gated_highlight(index, n_dot_l));
+            if (specular_apart()) {
+                specular_ = keep(Kept::specular, specular_ + times * (specular * highlight));
             } else {
-                faded = faded + specular;
+                faded = faded + first * specular * highlight;
             }
         }
-        sum_ = keep(Kept::sum, sum_ + (plain + times * faded));
+        sum_ = keep(Kept::sum, sum_ + (plain + (alone ? one : times) * faded));
     }
 
     /// light_position.glsl and light_directional.glsl

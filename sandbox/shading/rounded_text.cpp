@@ -80,11 +80,12 @@ class Rounding {
             depth -= token.is(")") || token.is("]") || token.is("}") ? 1 : 0;
         } while (depth > 0);
     }
-    /// h(...) around the tokens from `first` to the last one taken.
-    void round_from(std::size_t first) {
-        ++opened_[first];
-        ++closed_[at_ - 1];
+    void wrap(std::string_view opening, std::size_t first) {
+        opened_[first].insert(0, opening);
+        closed_[at_ - 1] += ")";
     }
+    /// h(...) around the tokens from `first` to the last one taken.
+    void round_from(std::size_t first) { wrap("h(", first); }
 
     void declaration() {
         if (is("struct")) {
@@ -197,9 +198,12 @@ class Rounding {
         if (sign.text.size() != 2 || sign.text[1] != '=') {
             throw std::logic_error("expected an assignment to " + name.text + ", got " + sign.text);
         }
-        const bool single = expression();
-        written_[place] = "= h(" + name.text + " " + sign.text[0] + (single ? "" : " (");
-        closed_[at_ - 1] += single ? 1 : 2;
+        const std::size_t first = at_;
+        if (!expression()) {
+            wrap("(", first);
+        }
+        written_[place] = "= h(" + name.text + " " + sign.text[0];
+        closed_[at_ - 1] += ")";
     }
 
     /// Takes one expression. True: it may stand beside any operator without brackets.
@@ -240,8 +244,12 @@ class Rounding {
         const std::size_t first = at_;
         const OwnToken &token = take();
         if (token.is("(")) {
-            expression();
+            const bool single = expression();
             expect(")");
+            if (single) { // brackets that h() has made superfluous
+                written_[first].clear();
+                written_[at_ - 1].clear();
+            }
         } else if (is("(")) {
             call(first, token.text);
         } else {
@@ -296,10 +304,7 @@ class Rounding {
             const std::size_t place =
                 lines[static_cast<std::size_t>(tokens_[i].line) - 1] + static_cast<std::size_t>(tokens_[i].column);
             text += rest.substr(done, place - done);
-            for (int k = 0; k < opened_[i]; ++k) {
-                text += "h(";
-            }
-            text += written_[i] + std::string(static_cast<std::size_t>(closed_[i]), ')');
+            text += opened_[i] + written_[i] + closed_[i];
             done = place + tokens_[i].text.size();
         }
         return text + rest.substr(done);
@@ -308,8 +313,8 @@ class Rounding {
     const StageSource &source_;
     std::size_t body_; ///< where the first line ends
     std::vector<OwnToken> tokens_;
-    std::vector<std::string> written_; ///< each token as it will be
-    std::vector<int> opened_, closed_; ///< of h(...), before and after each token
+    std::vector<std::string> written_;         ///< each token as it will be
+    std::vector<std::string> opened_, closed_; ///< what is put before and after each token
     std::size_t at_ = 0;
     Names members_, globals_, functions_;
 };

@@ -33,12 +33,18 @@ PrecisionFinding find_precision(const Scene &scene, const std::vector<ObjectReso
     };
     PrecisionFinding finding{.technique = technique, .rounded = levels({}), .device = {}, .high = {}, .left = 0};
     reference::HighValues high = reference::HighValues().set();
-    for (std::size_t i = reference::kept_count; i-- > 0;) {
-        high.reset(i);
-        if (const double left = levels(high); left > 1) {
-            high.set(i);
-        } else {
-            finding.left = left;
+    for (std::size_t before = 0; before != high.count();) { // what the later ones leave may do without an earlier one
+        before = high.count();
+        for (std::size_t i = reference::kept_count; i-- > 0;) {
+            if (!high.test(i)) {
+                continue;
+            }
+            high.reset(i);
+            if (const double left = levels(high); left > 1) {
+                high.set(i);
+            } else {
+                finding.left = left;
+            }
         }
     }
     for (std::size_t i = 0; i < reference::kept_count; ++i) {

@@ -26,7 +26,7 @@ struct PrecisionFinding {
 double levels_between(const Image &a, const Image &b);
 
 /// Searches the twin's picture (reference/medium_stage.h), `size` large: from all values high it takes one after the
-/// other away and keeps those without which more than a level is wrong.
+/// other away and keeps those without which more than a level is wrong, again until none can be taken away.
 PrecisionFinding find_precision(const Scene &scene, const std::vector<ObjectResources> &resources,
                                 const Technique &technique, Size size);
 
