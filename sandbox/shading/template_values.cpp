@@ -9,7 +9,6 @@
 
 namespace sandbox {
 namespace {
-
 using Flags = std::initializer_list<std::pair<std::string_view, bool>>;
 using Texts = std::initializer_list<std::pair<std::string_view, std::string>>;
 
