@@ -84,7 +84,9 @@ TEST_F(MediumStage, DrawsWhatItsTwinComputes) {
                                               "per-pixel/phong:position=absolute,"};
     for (const Scene &scene : feature_scenes()) {
         const auto resources = renderer_.resources().load(scene);
-        for (const std::string &text : techniques) {
+        const bool has_all = scene.name == "all" || scene.name == "two-sided"; // elsewhere the first few
+        for (std::size_t i = 0; i < (has_all ? techniques.size() : 8); ++i) {
+            const std::string &text = techniques[i];
             const Technique technique = parse_technique(text + "precision=medium");
             Frame drawn;
             try {
@@ -94,7 +96,7 @@ TEST_F(MediumStage, DrawsWhatItsTwinComputes) {
             }
             const Agreement found = agreement(drawn, render_reference(scene, resources, technique, size));
             const auto compared = static_cast<double>(found.compared);
-            EXPECT_GE(static_cast<double>(found.equal), 0.97 * compared) << scene.name << ", " << text;
+            EXPECT_GE(static_cast<double>(found.equal), 0.99 * compared) << scene.name << ", " << text;
             EXPECT_LE(static_cast<double>(found.beyond_a_level), 0.005 * compared) << scene.name << ", " << text;
         }
     }
