@@ -6,8 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
+#include <vector>
 
 /// precision=medium: the GLSL that is drawn against its twin in half on the processor (reference/medium_stage.h).
 namespace sandbox {
@@ -82,7 +82,9 @@ TEST_F(MediumStage, DrawsWhatItsTwinComputes) {
                                               "per-pixel/phong:facing=view,",
                                               "per-pixel/phong:position=w0,",
                                               "per-pixel/phong:position=absolute,"};
-    for (const Scene &scene : feature_scenes()) {
+    std::vector<Scene> scenes = feature_scenes();
+    scenes.push_back(open_scene("three-point-lights", Assets("assets"))); // lights with one term that fades
+    for (const Scene &scene : scenes) {
         const auto resources = renderer_.resources().load(scene);
         const bool has_all = scene.name == "all" || scene.name == "two-sided"; // elsewhere the first few
         for (std::size_t i = 0; i < (has_all ? techniques.size() : 8); ++i) {
