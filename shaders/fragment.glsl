@@ -1,5 +1,11 @@
 #version 330 core
+#if mediump
+precision mediump float; // as precise as this device likes
+#endif
 
+#if precision_medium && !full
+#include "math_half.glsl"
+#endif
 #include "varyings.glsl"
 layout(location = 0) out vec4 color;
 #if object_ids

@@ -1,7 +1,9 @@
 #include "reference/analytic_picture.h"
+#include "reference/medium_stage.h"
 
 #include "image/error.h"
 #include "reference/analytic.h"
+#include "reference/medium_stage.h"
 #include "reference/raster.h"
 #include "reference/surface.h"
 #include "scene/space.h"
@@ -89,7 +91,16 @@ class ShapeSampler : public Sampler {
     }
 
     [[nodiscard]] glm::dvec3 color() const {
-        const Reflected reflected = reflect(Terms::all, point_at(0, 0));
+        const SurfacePoint here = point_at(0, 0);
+        if (setup_.technique.precision == Precision::medium) {
+            return medium_color(setup_, object_, shape_.base,
+                                {.position = here.position - setup_.origin,
+                                 .normal = here.raw_normal,
+                                 .uv = hit_.uv * object_.material.texture_repeat,
+                                 .object_position = hit_.position,
+                                 .side = hit_.back ? Side::back : Side::front});
+        }
+        const Reflected reflected = reflect(Terms::all, here);
         return compose(object_.material, base(), reflected);
     }
 

@@ -101,44 +101,80 @@ LightVectors Fragment::vectors(const SurfacePoint &point, std::size_t light) con
     return vectors;
 }
 
-LightVectors Fragment::interpolated_vectors(const SurfacePoint &point, std::size_t light) const {
-    const LightSetup &setup = setup_.lights[light];
+LightVectors Fragment::blended_vectors(const SurfacePoint &point, std::size_t light) const {
     const auto at_corner = [&](int i) { return Sampler::vectors(corner(i), light); };
     const std::array<LightVectors, 3> corners{at_corner(0), at_corner(1), at_corner(2)};
-    const auto interpolated = [&](auto member) {
-        return blend(point.weights, corners[0].*member, corners[1].*member, corners[2].*member);
-    };
     LightVectors vectors = corners[0];
+    const auto interpolate = [&](auto member) {
+        vectors.*member = blend(point.weights, corners[0].*member, corners[1].*member, corners[2].*member);
+    };
+    interpolate(&LightVectors::l);
+    interpolate(&LightVectors::d);
+    interpolate(&LightVectors::a);
+    interpolate(&LightVectors::r);
+    interpolate(&LightVectors::h);
+    return vectors;
+}
+
+LightVectors Fragment::interpolated_vectors(const SurfacePoint &point, std::size_t light) const {
+    const LightSetup &setup = setup_.lights[light];
+    LightVectors vectors = blended_vectors(point, light);
     if (has_position(setup.light)) {
-        vectors.l_length = glm::length(interpolated(&LightVectors::l));
-        vectors.l = unit_or(interpolated(&LightVectors::l), point.normal);
-        vectors.d = interpolated(&LightVectors::d);
-        vectors.a = setup_.technique.attenuation == AttenuationAt::interpolated
-                        ? interpolated(&LightVectors::a)
-                        : attenuation(setup.light.attenuation, vectors.d);
+        vectors.l_length = glm::length(vectors.l);
+        vectors.l = unit_or(vectors.l, point.normal);
+        if (setup_.technique.attenuation != AttenuationAt::interpolated) {
+            vectors.a = attenuation(setup.light.attenuation, vectors.d);
+        }
     }
-    vectors.r = unit(interpolated(&LightVectors::r));
     if (setup_.technique.model == Model::phong) {
-        vectors.highlight_length = std::min(glm::length(interpolated(&LightVectors::r)), point.view_length);
+        vectors.highlight_length = std::min(glm::length(vectors.r), point.view_length);
+        vectors.r = unit(vectors.r);
     } else if (setup_.technique.half_vector == HalfVector::exact) {
-        vectors.highlight_length = glm::length(interpolated(&LightVectors::h));
-        vectors.h = unit_or(interpolated(&LightVectors::h), point.normal);
+        vectors.highlight_length = glm::length(vectors.h);
+        vectors.h = unit_or(vectors.h, point.normal);
     }
     return vectors;
 }
 
+/// v_distance and v_attenuation are written for every technique that may read them.
+Varyings Fragment::varyings() const {
+    const Technique &technique = setup_.technique;
+    const Mesh &mesh = *mesh_.mesh;
+    const bool unit = technique.renormalize == Renormalize::on && technique.normals != Normals::unnormalized;
+    Varyings varyings{.position = here_.position - setup_.origin,
+                      .normal = here_.raw_normal * (unit ? here_.normal_length : 1),
+                      .view = here_.view * here_.view_length,
+                      .light = {},
+                      .vectors = {},
+                      .uv = mesh.uvs.empty() ? glm::dvec2(0) : blend(here_.weights, mesh.uvs, triangle_),
+                      .object_position = object_position(here_.weights),
+                      .color = mesh.colors.empty() ? glm::dvec3(1) : blend(here_.weights, mesh.colors, triangle_),
+                      .colored = !mesh.colors.empty(),
+                      .side = side_};
+    if (technique.frequency == Frequency::hybrid) {
+        varyings.light = interpolated_light(&Reflected::body);
+    }
+    if (technique.frequency == Frequency::interpolated_vectors || technique.attenuation != AttenuationAt::exact) {
+        for (std::size_t i = 0; i < setup_.lights.size(); ++i) {
+            varyings.vectors.push_back(blended_vectors(here_, i));
+        }
+    }
+    return varyings;
+}
+
+glm::dvec3 Fragment::interpolated_light(glm::dvec3 Reflected::*part) const {
+    const std::vector<Reflected> &light = lit_.light;
+    return blend(here_.weights, light[triangle_.x].*part, light[triangle_.y].*part, light[triangle_.z].*part);
+}
+
 Reflected Fragment::reflected() const {
-    const auto interpolated = [&](auto part) {
-        const std::vector<Reflected> &light = lit_.light;
-        return blend(here_.weights, light[triangle_.x].*part, light[triangle_.y].*part, light[triangle_.z].*part);
-    };
     switch (setup_.technique.frequency) {
     case Frequency::flat:
         return lit_.light[triangle_index_];
     case Frequency::per_vertex:
-        return {interpolated(&Reflected::body), interpolated(&Reflected::highlight)};
+        return {interpolated_light(&Reflected::body), interpolated_light(&Reflected::highlight)};
     case Frequency::hybrid:
-        return {interpolated(&Reflected::body), reflect(Terms::highlight, here_).highlight};
+        return {interpolated_light(&Reflected::body), reflect(Terms::highlight, here_).highlight};
     case Frequency::per_pixel:
     case Frequency::interpolated_vectors:
         break;
@@ -157,7 +193,10 @@ glm::dvec3 Fragment::base() const {
     return mesh.colors.empty() ? color : color * blend(here_.weights, mesh.colors, triangle_);
 }
 
-glm::dvec3 Fragment::color() const { return compose(object_.material, base(), reflected()); }
+glm::dvec3 Fragment::color() const {
+    return setup_.technique.precision == Precision::medium ? medium_color(setup_, object_, mesh_.base, varyings())
+                                                           : compose(object_.material, base(), reflected());
+}
 
 SurfacePoint Fragment::evaluated_point() const {
     const bool flat = setup_.technique.frequency == Frequency::flat;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "reference/medium_stage.h"
 #include "reference/mesh_scene.h"
 
 /// One pixel of a mesh: what the technique's frequency makes of the triangle it sees.
@@ -28,12 +29,17 @@ class Fragment : public Sampler {
   private:
     [[nodiscard]] glm::dvec3 weights(double dx, double dy) const;
     [[nodiscard]] SurfacePoint corner(int i) const;
+    /// Of the light that was found at the corners.
+    [[nodiscard]] glm::dvec3 interpolated_light(glm::dvec3 Reflected::*part) const;
     [[nodiscard]] Reflected reflected() const;
     [[nodiscard]] bool at_cell_border() const;
     [[nodiscard]] Doubts corner_doubts() const;
     [[nodiscard]] Doubts doubts() const;
     [[nodiscard]] glm::dvec3 object_position(const glm::dvec3 &weights) const;
+    /// As interpolation leaves them: L, R and H not yet unit.
+    [[nodiscard]] LightVectors blended_vectors(const SurfacePoint &point, std::size_t light) const;
     [[nodiscard]] LightVectors interpolated_vectors(const SurfacePoint &point, std::size_t light) const;
+    [[nodiscard]] Varyings varyings() const;
 
     const MeshObject &mesh_;
     Triangle on_screen_;

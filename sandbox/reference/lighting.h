@@ -1,5 +1,6 @@
 #pragma once
 
+#include "reference/kept_values.h"
 #include "scene/scene.h"
 #include "shading/technique.h"
 
@@ -57,6 +58,7 @@ struct Setup {
     bool orthographic = false; ///< V is the view axis at every point
     glm::dvec3 ambient{0};
     double blinn_exponent_scale = 1;
+    HighValues high; ///< of precision=medium: what is declared highp all the same
     std::vector<LightSetup> lights;
     std::vector<std::size_t> light_index; ///< of lights[i] in the scene's list
 };

@@ -13,8 +13,8 @@ namespace {
 class MeshPicture : public Picture {
   public:
     MeshPicture(const Scene &scene, const std::vector<ObjectResources> &resources, const Technique &technique,
-                Size size)
-        : size_(size), meshes_(prepare_meshes(scene, resources, technique, size)),
+                Size size, const HighValues &high)
+        : size_(size), meshes_(prepare_meshes(scene, resources, technique, size, high)),
           rasteriser_(meshes_.raster, size, DepthRange(scene.camera, is_deep(scene, resources))) {}
 
     [[nodiscard]] std::size_t bands() const override { return rasteriser_.bands(); }
@@ -114,8 +114,8 @@ class MeshPicture : public Picture {
 } // namespace
 
 std::unique_ptr<Picture> mesh_picture(const Scene &scene, const std::vector<ObjectResources> &resources,
-                                      const Technique &technique, Size size) {
-    return std::make_unique<MeshPicture>(scene, resources, technique, size);
+                                      const Technique &technique, Size size, const HighValues &high) {
+    return std::make_unique<MeshPicture>(scene, resources, technique, size, high);
 }
 
 } // namespace sandbox::reference

@@ -127,9 +127,10 @@ IsolatedPoint centroid(const Setup &setup, const MeshObject &object, const glm::
 }
 
 MeshScene prepare_meshes(const Scene &scene, const std::vector<ObjectResources> &resources, const Technique &technique,
-                         Size size) {
+                         Size size, const HighValues &high) {
     MeshScene meshes;
     meshes.setup = prepare(scene, technique);
+    meshes.setup.high = high;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         meshes.objects.push_back(prepare_object(meshes.setup, scene, scene.objects[i], resources[i]));
         meshes.raster.push_back(to_pixels(meshes.objects.back(), resources[i].window_grid, scene.camera, size));

@@ -36,9 +36,9 @@ struct MeshScene {
     std::vector<RasterObject> raster;
 };
 
-/// `scene` and `resources` must outlive the result.
+/// `scene` and `resources` must outlive the result. `high`: as in Setup.
 MeshScene prepare_meshes(const Scene &scene, const std::vector<ObjectResources> &resources, const Technique &technique,
-                         Size size);
+                         Size size, const HighValues &high = {});
 
 /// Where flat shading evaluates the equation.
 IsolatedPoint centroid(const Setup &setup, const MeshObject &object, const glm::uvec3 &triangle, Side side);

@@ -12,7 +12,8 @@ namespace sandbox {
 namespace {
 
 std::unique_ptr<reference::Picture> picture_of(const Scene &scene, const std::vector<ObjectResources> &resources,
-                                               const Technique &technique, Size size, Surface surface) {
+                                               const Technique &technique, Size size, Surface surface,
+                                               const reference::HighValues &high = {}) {
     if (size.width <= 0 || size.height <= 0 || resources.size() != scene.objects.size()) {
         throw std::invalid_argument("reference: a size above 0 and one resource an object are needed");
     }
@@ -20,7 +21,7 @@ std::unique_ptr<reference::Picture> picture_of(const Scene &scene, const std::ve
         throw InputError("own shading has no reference: name the model that it is held against, as in "
                          "reference:model=phong");
     }
-    return surface == Surface::mesh ? reference::mesh_picture(scene, resources, technique, size)
+    return surface == Surface::mesh ? reference::mesh_picture(scene, resources, technique, size, high)
                                     : reference::analytic_picture(scene, resources, technique, size);
 }
 
@@ -62,8 +63,8 @@ Frame to_frame(const ReferenceFrame &frame) {
 }
 
 Image reference_colors(const Scene &scene, const std::vector<ObjectResources> &resources, const Technique &technique,
-                       Size size) {
-    const auto picture = picture_of(scene, resources, technique, size, Surface::mesh);
+                       Size size, const reference::HighValues &high) {
+    const auto picture = picture_of(scene, resources, technique, size, Surface::mesh, high);
     ReferenceFrame frame = background(scene, size);
     parallel_for(picture->bands(), [&](std::size_t band) { picture->draw(band, frame); });
     return to_frame(frame).color;

@@ -41,7 +41,8 @@ struct ReferenceFrame {
     }
 };
 
-/// One sample at each pixel's centre. technique.power and technique.program change nothing here. The same inputs give
+/// One sample at each pixel's centre. technique.program changes nothing here, and technique.power
+/// only under precision=medium, where this is the twin in half (reference/medium_stage.h). The same inputs give
 /// the same bits on any number of cores. Throws InputError for Surface::analytic with an OBJ, with an object flattened
 /// by a scale of 0, or with a technique that needs vertices; Cancelled if progress says stop.
 ReferenceFrame render_reference(const Scene &scene, const std::vector<ObjectResources> &resources,
@@ -52,8 +53,9 @@ ReferenceFrame render_reference(const Scene &scene, const std::vector<ObjectReso
 Frame to_frame(const ReferenceFrame &frame);
 
 /// The colours of the mesh alone, likewise, and sooner: masks cost more than colours.
+/// `high`: what is declared highp under precision=medium.
 Image reference_colors(const Scene &scene, const std::vector<ObjectResources> &resources, const Technique &technique,
-                       Size size);
+                       Size size, const reference::HighValues &high = {});
 
 /// Every intermediate at one pixel.
 struct PixelProbe {

@@ -142,15 +142,15 @@ struct Renderer::Impl {
         std::vector<ObjectResources> loaded;
         std::vector<PreparedObject> objects;
     };
-    Prepared prepare(const Scene &scene, const Technique &technique, const Canvas &canvas, bool guarded) {
+    Prepared prepare(const Scene &scene, const Technique &technique, const Canvas &canvas, DrawOptions options) {
         Prepared prepared{resources.load(scene), {}};
-        const bool deep = is_deep(scene, prepared.loaded);
-        if (guarded) {
+        options.object_ids = canvas.object_ids;
+        options.shown = canvas.shown;
+        options.deep = is_deep(scene, prepared.loaded);
+        if (options.guarded) {
             prepared.loaded = seen_parts(scene, technique, std::move(prepared.loaded), aspect_of(canvas.size));
         }
-        prepared.objects =
-            prepare_objects(scene, technique, prepared.loaded,
-                            {.object_ids = canvas.object_ids, .shown = canvas.shown, .deep = deep, .guarded = guarded});
+        prepared.objects = prepare_objects(scene, technique, prepared.loaded, options);
         return prepared;
     }
 
@@ -161,15 +161,15 @@ struct Renderer::Impl {
     /// The picture comes from elsewhere; the depth, which hides what is drawn over it, from here.
     void draw_own(const Scene &scene, const Technique &technique, Target &target) {
         const Frame frame = own_drawing(scene, technique, target.size(), target.has_object_ids());
-        draw(scene, {.frequency = Frequency::flat, .model = Model::lambert}, canvas_of(target), true);
+        draw(scene, {.frequency = Frequency::flat, .model = Model::lambert}, canvas_of(target));
         target.write_color(frame.color);
     }
 
-    void draw(const Scene &scene, const Technique &technique, const Canvas &canvas, bool guarded) {
+    void draw(const Scene &scene, const Technique &technique, const Canvas &canvas, const DrawOptions &options = {}) {
         if (drawn_elsewhere(technique)) {
             throw std::logic_error("own shading is drawn elsewhere");
         }
-        const auto [loaded, prepared] = prepare(scene, technique, canvas, guarded);
+        const auto [loaded, prepared] = prepare(scene, technique, canvas, options);
         const PassState pass(canvas.framebuffer, canvas.size, DepthTest::on);
         clear(scene, canvas);
         for (std::size_t i = 0; i < scene.objects.size(); ++i) {
@@ -240,18 +240,18 @@ void Renderer::draw(const Scene &scene, const Technique &technique, Target &targ
     if (impl_->drawn_elsewhere(technique)) {
         impl_->draw_own(scene, technique, target);
     } else {
-        impl_->draw(scene, technique, canvas_of(target), true);
+        impl_->draw(scene, technique, canvas_of(target));
     }
 }
 
 void Renderer::draw_shown(const Scene &scene, const Technique &technique, const DisplayMap &map, ScreenTarget &target) {
-    impl_->draw(scene, technique, {target.framebuffer(), target.size(), false, map}, true);
+    impl_->draw(scene, technique, {target.framebuffer(), target.size(), false, map});
 }
 
 std::vector<Features> Renderer::missing_programs(const Scene &scene, const Technique &technique, Size size,
                                                  const std::optional<DisplayMap> &map) {
     std::vector<Features> missing;
-    for (const PreparedObject &object : impl_->prepare(scene, technique, {0, size, false, map}, true).objects) {
+    for (const PreparedObject &object : impl_->prepare(scene, technique, {0, size, false, map}, {}).objects) {
         if (!impl_->programs.has(object.program)) {
             missing.push_back(object.program);
         }
@@ -260,8 +260,14 @@ std::vector<Features> Renderer::missing_programs(const Scene &scene, const Techn
 }
 
 void Renderer::draw_unguarded(const Scene &scene, const Technique &technique, Target &target) {
-    impl_->draw(scene, technique, canvas_of(target), false);
+    impl_->draw(scene, technique, canvas_of(target), {.guarded = false});
 }
+
+void Renderer::draw_mediump(const Scene &scene, const Technique &technique, Target &target) {
+    impl_->draw(scene, technique, canvas_of(target), {.mediump = true});
+}
+
+bool Renderer::knows_precision() { return is_es(); }
 
 void Renderer::finish() { finish_drawing(); }
 
@@ -328,7 +334,7 @@ Resources &Renderer::resources() {
             Impl probe(Assets("assets"), ShaderParts(Assets("shaders")));
             const auto draw = [&](const Scene &scene, const Technique &technique, Size size) {
                 Target target(size);
-                probe.draw(scene, technique, canvas_of(target), true);
+                probe.draw(scene, technique, canvas_of(target));
                 return target.read_color();
             };
             impl_->resources.set_window_grid(measured_window_grid(draw));

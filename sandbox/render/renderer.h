@@ -45,6 +45,12 @@ class Renderer {
     /// Without the guards that the scene needs (without_guards()): wrong, to measure what they cost.
     void draw_unguarded(const Scene &scene, const Technique &technique, Target &target);
 
+    /// With a fragment stage whose floats are declared mediump: what this device makes of that. As draw() where it
+    /// knows no precision.
+    void draw_mediump(const Scene &scene, const Technique &technique, Target &target);
+    /// True under OpenGL ES.
+    static bool knows_precision();
+
     /// Waits until all that was drawn is done (glFinish).
     static void finish();
 

@@ -28,24 +28,6 @@ bool may_touch(const Light &light, const Object &object, const Mesh &mesh) {
     return glm::all(glm::greaterThanEqual(p, bounds.low - room)) && glm::all(glm::lessThanEqual(p, bounds.high + room));
 }
 
-Exponent exponent_kind(const Technique &technique, Normals normals, double n) {
-    // The stable form measures an angle between unit vectors. Interpolated R and V are made unit whatever N is.
-    const bool can_be_stable =
-        normals != Normals::unnormalized &&
-        (technique.renormalize == Renormalize::on ||
-         (mirrors_view(technique.model) && technique.frequency == Frequency::interpolated_vectors));
-    if (technique.power == Power::naive) {
-        return Exponent::textbook;
-    }
-    if (n == 0 || n == 1) {
-        return n == 0 ? Exponent::zero : Exponent::one;
-    }
-    if (technique.power == Power::stable || (technique.power == Power::automatic && n >= stable_power_from)) {
-        return can_be_stable ? Exponent::stable : Exponent::textbook;
-    }
-    return Exponent::textbook;
-}
-
 void add_light(LightFeatures &f, const ObjectLight &on_object, const Light &light, const Technique &technique) {
     f.count += 1;
     f.ambient |= on_object.ambient;
@@ -276,6 +258,24 @@ Features own_features(const Scene &scene, const Technique &technique, const Obje
 
 double raised_exponent(const Scene &scene, Model model, const Material &material) {
     return (reflection(model).scaled_exponent ? scene.blinn_exponent_scale : 1) * material.shininess;
+}
+
+Exponent exponent_kind(const Technique &technique, Normals normals, double n) {
+    // The stable form measures an angle between unit vectors. Interpolated R and V are made unit whatever N is.
+    const bool can_be_stable =
+        normals != Normals::unnormalized &&
+        (technique.renormalize == Renormalize::on ||
+         (mirrors_view(technique.model) && technique.frequency == Frequency::interpolated_vectors));
+    if (technique.power == Power::naive) {
+        return Exponent::textbook;
+    }
+    if (n == 0 || n == 1) {
+        return n == 0 ? Exponent::zero : Exponent::one;
+    }
+    if (technique.power == Power::stable || (technique.power == Power::automatic && n >= stable_power_from)) {
+        return can_be_stable ? Exponent::stable : Exponent::textbook;
+    }
+    return Exponent::textbook;
 }
 
 Features derive_features(const Scene &scene, const Technique &given, const Object &object, const Mesh &mesh,

@@ -69,6 +69,7 @@ struct Features {
     bool afar = false;         ///< positions are measured from the object's middle, not from the eye
     bool wide = false;         ///< positions are found from the pixel, not interpolated
     bool deep = false;         ///< depth is stored as a logarithm
+    bool mediump = false;      ///< GLSL ES: the fragment stage's floats are declared so
     OwnFeatures own;
     bool object_ids = false;
     bool shown = false;                                 ///< writes what a screen shows, not linear light:
@@ -111,6 +112,9 @@ Features without_guards(Features features);
 
 /// n as it is raised: times the scene's blinn_exponent_scale where the model measures from the half vector.
 double raised_exponent(const Scene &scene, Model model, const Material &material);
+
+/// How f^n is found; `normals`: as far as the key shows.
+Exponent exponent_kind(const Technique &technique, Normals normals, double n);
 
 constexpr double stable_power_from = 1024; ///< power=auto: the stable form from this n on
 

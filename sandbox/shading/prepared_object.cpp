@@ -16,6 +16,7 @@ PreparedObject prepare_object(const Scene &scene, const Technique &technique, co
         features.exposed = options.shown->exposure != 1;
     }
     features.deep = options.deep || is_deep(scene.camera);
+    features.mediump = options.mediump;
     if (!options.guarded) {
         features = without_guards(features);
     }

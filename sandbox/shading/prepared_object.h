@@ -23,6 +23,7 @@ struct DrawOptions {
     std::optional<DisplayMap> shown{}; ///< drawn as a screen shows it; none: as linear light
     bool deep = false;                 ///< what is_deep(scene, resources) says; the camera alone may make it so too
     bool guarded = true;               ///< false: without_guards()
+    bool mediump = false;              ///< as in Features
 };
 
 PreparedObject prepare_object(const Scene &scene, const Technique &technique, const Object &object, const Mesh &mesh,

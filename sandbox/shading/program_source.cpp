@@ -1,5 +1,6 @@
 #include "shading/program_source.h"
 
+#include "shading/rounded_text.h"
 #include "shading/template_values.h"
 
 #include <fmt/format.h>
@@ -14,7 +15,9 @@ ProgramSource assemble(const Features &program, const ShaderParts &parts) {
     TemplateValues values = template_values(program, needs, Stage::vertex);
     StageSource vertex = expand(parts, "vertex.glsl", values);
     choose_stage(values, program, needs, Stage::fragment);
-    return {std::move(vertex), expand(parts, "fragment.glsl", values)};
+    StageSource fragment = expand(parts, "fragment.glsl", values);
+    const bool rounded = program.technique.precision == Precision::medium;
+    return {std::move(vertex), rounded ? with_rounded_operations(std::move(fragment)) : std::move(fragment)};
 }
 
 StageSource in_es(StageSource source) {

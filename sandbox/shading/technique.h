@@ -179,6 +179,13 @@ inline constexpr TechniqueValue normalisation_values[]{
      rules::has_diffuse_or_specular, rules::needs_half_vector},
 };
 
+enum class Precision { high, medium };
+inline constexpr TechniqueValue precision_values[]{
+    {"high", "high", "float32, as measured"},
+    {"medium", "medium", "every operation rounded to half; a device may keep more, or promise less", nullptr,
+     rules::needs_rounded_pixels},
+};
+
 enum class Program { specialised, full };
 inline constexpr TechniqueValue program_values[]{
     {"specialised", "specialised", "only what this scene needs"},
@@ -200,6 +207,7 @@ struct Technique {
     AttenuationAt attenuation = AttenuationAt::exact;
     Power power = Power::automatic;
     Normalisation normalisation = Normalisation::none;
+    Precision precision = Precision::high;
     Program program = Program::specialised;
     OwnShader own{}; ///< of Model::own; no key, so that it is not written with the others
     auto operator<=>(const Technique &) const = default; // NOLINT(modernize-use-nullptr): version 14 errs
@@ -266,6 +274,8 @@ inline constexpr TechniqueKey technique_settings[]{
     variant_key<&Technique::power>("power", "power", "how f^n is computed in float32", power_values),
     variant_key<&Technique::normalisation>("normalisation", "normalisation",
                                            "a factor that keeps the energy of highlights", normalisation_values),
+    variant_key<&Technique::precision>("precision", "precision", "how the fragment stage and its varyings compute",
+                                       precision_values),
     variant_key<&Technique::program>("program", "program", "the GLSL program", program_values),
 };
 

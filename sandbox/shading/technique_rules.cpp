@@ -80,6 +80,13 @@ std::string_view needs_specialised_program(const Technique &technique) {
     return technique.program == Program::full ? "needs a program without guards, and program=full keeps them" : "";
 }
 
+std::string_view needs_rounded_pixels(const Technique &technique) {
+    if (!lights_pixels(technique)) {
+        return "rounds what is lit per pixel, and this frequency and model light nothing there";
+    }
+    return technique.program == Program::full ? "rounds the program of one scene, and program=full is for all" : "";
+}
+
 bool has_light(const Scene &scene, const Object &object, const Technique &technique) {
     return any_light(scene, object, technique, [](const Light &, const ShiningTerms &terms) {
         return terms.ambient || terms.diffuse || terms.specular;

@@ -22,6 +22,7 @@ std::string_view needs_exact_distances(const Technique &technique);
 /// The model `own`: some frequencies, no other key, and a text.
 std::string_view needs_own_text(const Technique &technique);
 std::string_view needs_specialised_program(const Technique &technique);
+std::string_view needs_rounded_pixels(const Technique &technique);
 
 /// Can a value change the picture of `object`? Where the answer is no, the reference draws it bit for bit as with the
 /// key's default. `technique` holds the other keys. A term counts where no factor that the scene gives it is 0.

@@ -9,7 +9,6 @@
 
 namespace sandbox {
 namespace {
-
 using Flags = std::initializer_list<std::pair<std::string_view, bool>>;
 using Texts = std::initializer_list<std::pair<std::string_view, std::string>>;
 
@@ -337,7 +336,8 @@ void add_program(TemplateValues &values, const Features &f, const ProgramNeeds &
          {"exposed", f.exposed},
          {"deep", f.deep},
          {"orthographic", f.orthographic},
-         {"wide", f.wide}});
+         {"wide", f.wide},
+         {"mediump", f.mediump}});
     values.texts.insert({{"flat", needs.attributes.flat ? "flat " : ""},
                          {"H", full ? "reflection" : "H"}, // a full program interpolates the one that it needs
                          {"R", full ? "reflection" : "R"},

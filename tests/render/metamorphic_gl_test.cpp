@@ -44,6 +44,7 @@ TEST_F(Metamorphic, SpecialisedAndFullProgramGiveTheSamePicture) {
     for (const Scene &scene : feature_scenes()) {
         for (Technique technique : pairwise_techniques()) {
             technique.program = Program::full;
+            technique.precision = Precision::high; // refused beside it
             if (why_refused(technique) ||
                 (technique.power == Power::textbook && scene.objects[0].material.shininess > 1024)) {
                 continue;

@@ -58,6 +58,13 @@ TEST(Technique, PeopleReadWords) {
 TEST(Technique, KeysThatCanHaveNoEffectAreRefused) {
     EXPECT_NE(error_of([] { parse_technique("per-vertex/phong:renormalize=off"); }).find("can have no effect"),
               std::string::npos);
+    EXPECT_NE(error_of([] { parse_technique("per-vertex/phong:precision=medium"); }).find("light nothing there"),
+              std::string::npos);
+    EXPECT_NE(error_of([] { parse_technique("flat/phong:precision=medium"); }), "no error");
+    EXPECT_NE(error_of([] { parse_technique("hybrid/lambert:precision=medium"); }), "no error");
+    EXPECT_NE(error_of([] { parse_technique("per-pixel/phong:precision=medium,program=full"); }).find("program=full"),
+              std::string::npos);
+    EXPECT_EQ(to_string(parse_technique("hybrid/phong:precision=medium")), "hybrid/phong:precision=medium");
     EXPECT_NE(error_of([] { parse_technique("per-pixel/phong:half_vector=constant"); }).find("half vector"),
               std::string::npos);
     EXPECT_NE(error_of([] { parse_technique("per-pixel/lambert:gate=none"); }).find("specular"), std::string::npos);

@@ -3,12 +3,14 @@
 //   truth_reason (why not analytic), finished (false: stopped half-way), clock, warm_ups, repeats, first_rings,
 //   last_rings, machine {renderer, opengl, processor, threads, llvmpipe_threads, build},
 //   seconds {see accounting_quantities}, meshes [{rings (0: between two rungs), own, ladder, triangles}],
-//   rows, omitted [{technique, reason}], findings.
+//   rows, omitted [{technique, reason}], precision, findings.
 // row: technique, mesh (index), rings, triangles, group, refused (a reason) or
 //   errors {see norm_quantities and metric_quantities (psnr null: identical), split {see error_parts: each a set of
 //   norms}}, marked (why they say too little to be recommended by; null: they count) and time {see
 //   run_time_quantities, samples}. Errors of a picture with pixels that are not finite are null, and so are those over
 //   no pixels.
+// precision: [{technique, rounded (levels that precision=medium changes; null: not finite), device (levels that this
+//   device's mediump changes; null: unknown), high (names of values), left (levels with those highp)}].
 // findings (rows by index): orders [{coarse, fine, max, l2, l1, interpolation {max, l2, l1}, settling}],
 //   pareto [{model, norm, rows}], cheapest [{model, norm, bound, row (null: none)}],
 //   specialisation and power [{row, base, time_ratio [lower quartile, median, upper quartile]}],
@@ -26,6 +28,7 @@
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 namespace sandbox {
@@ -110,8 +113,8 @@ RowErrors errors_from(const Json &json) {
 }
 
 RowGroup group_from(const std::string &name) {
-    constexpr std::array groups{RowGroup::ladder, RowGroup::own_mesh, RowGroup::full_program, RowGroup::power,
-                                RowGroup::claim};
+    constexpr std::array groups{RowGroup::ladder, RowGroup::own_mesh, RowGroup::full_program,
+                                RowGroup::power,  RowGroup::claim,    RowGroup::precision};
     const auto found = std::ranges::find(groups, name, [](RowGroup group) { return name_of(group); });
     if (found == groups.end()) {
         throw InputError("group: unknown value '{}'", name);
@@ -241,6 +244,19 @@ Json findings_json(const WorkPrecision &measured) {
             {"claims", claims}};
 }
 
+Json levels_json(double levels) { return std::isfinite(levels) ? Json(levels) : Json(); }
+double levels_from(const Json &json) {
+    return json.is_null() ? std::numeric_limits<double>::infinity() : json.get<double>();
+}
+
+PrecisionFinding precision_from(const Json &json) {
+    return {.technique = parse_technique(json.at("technique").get<std::string>()),
+            .rounded = levels_from(json.at("rounded")),
+            .device = json.at("device").is_null() ? std::nullopt : std::optional(levels_from(json.at("device"))),
+            .high = json.at("high").get<std::vector<std::string>>(),
+            .left = levels_from(json.at("left"))};
+}
+
 Json run_json(const ReportRun &run) {
     const WorkPrecision &m = run.measured;
     Json json{{"scene_name", m.scene.name},
@@ -261,6 +277,14 @@ Json run_json(const ReportRun &run) {
     json["omitted"] = Json::array();
     for (const OmittedRow &row : m.omitted) {
         json["omitted"].push_back({{"technique", row.technique}, {"reason", row.reason}});
+    }
+    json["precision"] = Json::array();
+    for (const PrecisionFinding &finding : m.precision) {
+        json["precision"].push_back({{"technique", to_string(finding.technique)},
+                                     {"rounded", levels_json(finding.rounded)},
+                                     {"device", finding.device ? levels_json(*finding.device) : Json()},
+                                     {"high", finding.high},
+                                     {"left", levels_json(finding.left)}});
     }
     json["findings"] = findings_json(m);
     return json;
@@ -293,6 +317,9 @@ ReportRun run_from(const Json &json) {
     }
     for (const Json &row : json.at("omitted")) {
         m.omitted.push_back({row.at("technique"), row.at("reason")});
+    }
+    for (const Json &finding : json.value("precision", Json::array())) { // earlier reports have none
+        m.precision.push_back(at(element("precision", m.precision.size()), [&] { return precision_from(finding); }));
     }
     return run;
 }

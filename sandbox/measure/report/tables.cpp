@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace sandbox::html {
 namespace {
@@ -166,6 +167,28 @@ std::string power(const ReportRun &run) {
         table.number(times.median, ratio_text(times));
     }
     return section("power", run.words.text("report.power"), run.words.text("report.power.lead"), table.html());
+}
+
+std::string precision(const ReportRun &run) {
+    const Words &words = run.words;
+    Table table(heads_of(words, {"technique", "rounded", "device", "stay_high", "left"}));
+    const auto levels = [&](double value) {
+        std::isfinite(value) ? table.number(value, fmt::format("{:.2f}", value))
+                             : table.text(words.text("answer.not_finite"), "bad");
+    };
+    for (const PrecisionFinding &finding : run.measured.precision) {
+        table.begin_row();
+        table.text(technique_code(finding.technique));
+        levels(finding.rounded);
+        finding.device ? levels(*finding.device) : table.text("&ndash;", "q");
+        table.text(finding.high.empty()
+                       ? words.text("report.none")
+                       : fmt::format("<code>{}</code>",
+                                     escaped(fmt::format("{}", fmt::join(finding.high, words.text("list.comma"))))));
+        levels(finding.left);
+    }
+    return section("precision", words.text("report.precision"), words.text("report.precision.lead"),
+                   run.measured.precision.empty() ? std::string() : table.html());
 }
 
 std::string claims(const ReportRun &run) {

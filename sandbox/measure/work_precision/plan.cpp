@@ -118,6 +118,9 @@ void add_variants(Selection &selection) {
             selection.add(changed, group);
         };
         variant(&Technique::program, Program::full, RowGroup::full_program);
+        if (t.frequency == Frequency::per_pixel) {
+            variant(&Technique::precision, Precision::medium, RowGroup::precision);
+        }
         variant(&Technique::attenuation, AttenuationAt::interpolated, RowGroup::claim);
         variant(&Technique::attenuation, AttenuationAt::distance_interpolated, RowGroup::claim);
         if (!reflection(t.model).specular || t.frequency == Frequency::flat) {

@@ -31,6 +31,7 @@ Technique truth_technique(Model model) { return {.frequency = Frequency::per_pix
 /// Drops the keys that do not change the reference.
 Technique as_referenced(Technique technique) {
     technique.power = Power::automatic;
+    technique.precision = Precision::high;
     technique.program = Program::specialised;
     return technique;
 }
@@ -58,6 +59,7 @@ class Measurement {
             judge(result_.rows[i]);
         }
         frames_.clear();
+        find_precisions();
         take_turns();
     }
 
@@ -72,6 +74,7 @@ class Measurement {
 
   private:
     static constexpr double errors_share = 0.4; ///< of the progress; a guess, since scenes differ
+    static constexpr int precision_width = 160; ///< pixels: a search draws some fifty pictures
 
     void report(double share) {
         share_ = share;
@@ -150,6 +153,28 @@ class Measurement {
                                      result_.options.size, Surface::mesh, stoppable());
         }
         return frame;
+    }
+
+    /// Of every model, per pixel, on the scene's own mesh.
+    void find_precisions() {
+        for (const MeasuredRow &row : result_.rows) {
+            const PlannedMesh &mesh = result_.meshes[row.plan.mesh];
+            Technique high = row.plan.technique;
+            high.precision = Precision::high;
+            if (!mesh.own || !row.errors || row.plan.group != RowGroup::precision) {
+                continue;
+            }
+            report(share_);
+            const Stopwatch watch(result_.seconds.reference);
+            const Size size = result_.options.size;
+            const int width = std::min(size.width, precision_width);
+            PrecisionFinding finding = find_precision(mesh.scene, resources_[row.plan.mesh], high,
+                                                      {width, std::max(size.height * width / size.width, 1)});
+            if (draw_.mediump) {
+                finding.device = levels_between(draw_.mediump(mesh.scene, high), draw_.picture(mesh.scene, high).color);
+            }
+            result_.precision.push_back(std::move(finding));
+        }
     }
 
     void take_turns() {

@@ -3,6 +3,7 @@
 #include "image/image.h"
 #include "measure/metrics/metrics.h"
 #include "measure/work_precision/plan.h"
+#include "measure/work_precision/precision.h"
 
 #include <cstddef>
 #include <functional>
@@ -63,6 +64,7 @@ struct WorkPrecision {
     std::vector<PlannedMesh> meshes;
     std::vector<MeasuredRow> rows;
     std::vector<OmittedRow> omitted;
+    std::vector<PrecisionFinding> precision; ///< of the per-pixel rows
     /// Empty: the truth is the analytic surface; else why it is the finest mesh's.
     std::string no_analytic_surface;
     bool finished = false; ///< false: stopped half-way; what was measured is here
@@ -76,6 +78,8 @@ struct DrawRows {
     std::function<Frame(const Scene &, const Technique &)> picture;
     /// Draws without object ids and without reading back, waits until done; milliseconds.
     std::function<double(const Scene &, const Technique &)> timed;
+    /// With a fragment stage declared mediump; empty where the device knows no precision.
+    std::function<Image(const Scene &, const Technique &)> mediump{};
 };
 
 /// Finds the errors first, once per row; then draws every row once a round, drops `options.warm_ups` rounds and keeps
@@ -92,10 +96,17 @@ ReferenceFrame report_truth(Model model, bool analytic, const std::vector<Planne
 /// `clock` (FrameClock). All three must outlive what is returned.
 template <typename Renderer, typename Target, typename Clock>
 DrawRows rows_drawn_by(Renderer &renderer, Target &target, Clock &clock) {
-    return {
+    DrawRows draw{
         [&](const Scene &s) { return renderer.resources().load(s); },
         [&](const Scene &s, const Technique &t) { return renderer.render(s, t, target.size(), true); },
         [&](const Scene &s, const Technique &t) { return clock.milliseconds([&] { renderer.draw(s, t, target); }); }};
+    if (Renderer::knows_precision()) {
+        draw.mediump = [&](const Scene &s, const Technique &t) {
+            renderer.draw_mediump(s, t, target);
+            return target.read_color();
+        };
+    }
+    return draw;
 }
 
 } // namespace sandbox
