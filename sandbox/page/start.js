@@ -48,6 +48,8 @@ Module.edit = path => {
   area.value = FS.readFile(path, {encoding: 'utf8'});
   editor.hidden = false;
   area.focus();
+  area.setSelectionRange(0, 0);
+  area.scrollTop = 0;
 };
 Module.sawFile = path => {
   if (path.endsWith('.glsl')) {

@@ -18,7 +18,7 @@ struct Varyings {
     glm::dvec3 normal{0, 0, 1};        ///< as long as interpolation left it
     glm::dvec3 view{0};                ///< interpolated-vectors: V
     glm::dvec3 light{0};               ///< hybrid: the light of the vertices
-    std::vector<LightVectors> vectors; ///< one for each of Setup::lights, where anything of them is interpolated
+    std::vector<LightVectors> vectors{}; ///< one for each of Setup::lights, where anything of them is interpolated
     glm::dvec2 uv{0};
     glm::dvec3 object_position{0};
     glm::dvec3 color{1}; ///< the vertices'
