@@ -1,5 +1,7 @@
 #include "reference/parallel.h"
 
+#include "image/thread.h"
+
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
@@ -25,6 +27,7 @@ class Loop {
             try {
                 work_(i);
                 report();
+                let_others_run();
             } catch (...) {
                 fail(std::current_exception());
             }
