@@ -63,7 +63,7 @@ extern "C" EMSCRIPTEN_KEEPALIVE const char *page_keep(void *window) {
     try {
         shown->state = shown->window.keep();
     } catch (const std::exception &error) {
-        std::fprintf(stderr, "what is shown cannot be kept: %s\n", error.what());
+        std::fprintf(stderr, "%s\n", error.what());
     }
     return shown->state.c_str(); // the last that could
 }
