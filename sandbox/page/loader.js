@@ -35,6 +35,7 @@
       canvas: document.getElementById('canvas'),
       store,
       encodeState,
+      fail,
       instantiateWasm(imports, done) {
         for (const group of Object.values(imports)) {
           for (const [name, call] of Object.entries(group)) {

@@ -1,7 +1,7 @@
 # The page: one HTML file that holds everything, and the same as HTML and WebAssembly.
 set(page ${CMAKE_CURRENT_LIST_DIR})
 
-# Only the characters that the program's words and names of files need: others are drawn by the browser's canvas.
+# Only the characters that the program's words need, and Latin, Greek and signs: others are shown as "?".
 set(fonts ${CMAKE_CURRENT_BINARY_DIR}/fonts)
 add_custom_command(
   OUTPUT ${fonts}/DejaVuSans.ttf
@@ -24,7 +24,7 @@ set(html ${CMAKE_CURRENT_BINARY_DIR}/shading-sandbox.html)
 add_custom_command(
   OUTPUT ${html}
   COMMAND /usr/bin/python3 ${page}/pack.py ${page} $<TARGET_FILE_DIR:shading-sandbox> ${CMAKE_CURRENT_BINARY_DIR}
-  DEPENDS shading-sandbox ${page}/pack.py ${page}/page.html ${page}/page.css ${page}/licences.html
+  DEPENDS shading-sandbox ${page}/pack.py ${page}/page.html ${page}/page.css ${page}/licences.html ${page}/loader.js
   COMMENT "Packing the page"
   VERBATIM)
 add_custom_target(page ALL DEPENDS ${html})

@@ -6,11 +6,6 @@ Module.share = async state => {
   navigator.clipboard?.writeText(location.href).catch(() => {});
 };
 
-Module.fail = why => {
-  const box = document.getElementById('message');
-  box.textContent = why;
-  box.hidden = false;
-};
 Module.print = line => {
   const text = document.getElementById('text');
   text.hidden = false;
@@ -51,10 +46,12 @@ Module.edit = path => {
   area.setSelectionRange(0, 0);
   area.scrollTop = 0;
 };
+// Files of own shading by their paths, as they are after the next visit begins.
+const keptOwn = () => JSON.parse(Module.store.get('own') ?? '{}');
+const keepOwn = (path, text) => Module.store.set('own', JSON.stringify({...keptOwn(), [path]: text}));
 Module.sawFile = path => {
   if (path.endsWith('.glsl')) {
-    Module.store.set('own', JSON.stringify({...JSON.parse(Module.store.get('own') ?? '{}'),
-                                            [path]: FS.readFile(path, {encoding: 'utf8'})}));
+    keepOwn(path, FS.readFile(path, {encoding: 'utf8'}));
     Module.edit(path);
   }
 };
@@ -92,8 +89,7 @@ Module.lostContext = () => {
   if (settings) {
     FS.writeFile(Module.settings, settings);
   }
-  const own = JSON.parse(Module.store.get('own') ?? '{}');
-  for (const [path, text] of Object.entries({...own, ...window.keptFiles})) {
+  for (const [path, text] of Object.entries(keptOwn())) {
     FS.writeFile(path, text);
   }
   if (Module.state) {
@@ -119,7 +115,7 @@ window.addEventListener('pagehide', () => Module.keepAll());
 const editor = document.getElementById('editor');
 editor.querySelector('textarea').addEventListener('input', event => { // the program watches the file, as on a disk
   FS.writeFile(Module.edited, event.target.value);
-  Module.store.set('own', JSON.stringify({...JSON.parse(Module.store.get('own') ?? '{}'), [Module.edited]: event.target.value}));
+  keepOwn(Module.edited, event.target.value);
 });
 document.getElementById('close').addEventListener('click', () => { editor.hidden = true; });
 document.getElementById('download').addEventListener('click', () => Module.download(Module.edited));

@@ -30,7 +30,7 @@ addToLibrary({
   page_can_suspend: () => pageThreads.canSuspend() ? 1 : 0,
 
   page_suspend__deps: ['$pageThreads'],
-  page_suspend__postset: '_page_suspend.suspends = true;', // instantiateWasm in page.js makes it wait
+  page_suspend__postset: '_page_suspend.suspends = true;', // instantiateWasm in loader.js makes it wait
   page_suspend: () => {
     stackRestore(pageThreads.pageStack);
     return pageThreads.turn();

@@ -1,5 +1,4 @@
 #include "reference/analytic_picture.h"
-#include "reference/medium_stage.h"
 
 #include "image/error.h"
 #include "reference/analytic.h"

@@ -206,9 +206,7 @@ class MediumStage {
             return s;
         }
         const Number exponent = keep(Kept::exponent, light.exponent);
-        const bool stable = technique_.power == Power::stable ||
-                            (technique_.power == Power::automatic && light.exponent >= stable_power_from);
-        if (stable) {
+        if (asks_for_stable_power(technique_, light.exponent)) {
             return s * keep(Kept::falloff, c.value > 0 ? stable_power(dot(sine, sine), 0.5 * exponent) : Number{});
         }
         return s * keep(Kept::falloff, pow(max(c, 0), exponent));

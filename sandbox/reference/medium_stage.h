@@ -14,10 +14,10 @@ namespace sandbox::reference {
 
 /// What the rasteriser hands the stage at one pixel.
 struct Varyings {
-    glm::dvec3 position{0};            ///< from Setup::origin
-    glm::dvec3 normal{0, 0, 1};        ///< as long as interpolation left it
-    glm::dvec3 view{0};                ///< interpolated-vectors: V
-    glm::dvec3 light{0};               ///< hybrid: the light of the vertices
+    glm::dvec3 position{0};              ///< from Setup::origin
+    glm::dvec3 normal{0, 0, 1};          ///< as long as interpolation left it
+    glm::dvec3 view{0};                  ///< interpolated-vectors: V
+    glm::dvec3 light{0};                 ///< hybrid: the light of the vertices
     std::vector<LightVectors> vectors{}; ///< one for each of Setup::lights, where anything of them is interpolated
     glm::dvec2 uv{0};
     glm::dvec3 object_position{0};

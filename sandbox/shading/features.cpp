@@ -45,8 +45,7 @@ void add_light(LightFeatures &f, const ObjectLight &on_object, const Light &ligh
     (has_soft_edge(light) ? f.soft_cone : f.hard_cone) = true;
     f.narrow_cone |= is_narrow_cone(light);
     (light.exponent != 0 ? f.exponent : f.no_exponent) = true;
-    f.stable_exponent |= technique.power == Power::stable ||
-                         (technique.power == Power::automatic && light.exponent >= stable_power_from);
+    f.stable_exponent |= asks_for_stable_power(technique, light.exponent);
 }
 
 LightFeatures light_features(const std::vector<ObjectLight> &lights, const Scene &scene, const Technique &technique,
@@ -260,6 +259,10 @@ double raised_exponent(const Scene &scene, Model model, const Material &material
     return (reflection(model).scaled_exponent ? scene.blinn_exponent_scale : 1) * material.shininess;
 }
 
+bool asks_for_stable_power(const Technique &technique, double n) {
+    return technique.power == Power::stable || (technique.power == Power::automatic && n >= stable_power_from);
+}
+
 Exponent exponent_kind(const Technique &technique, Normals normals, double n) {
     // The stable form measures an angle between unit vectors. Interpolated R and V are made unit whatever N is.
     const bool can_be_stable =
@@ -272,7 +275,7 @@ Exponent exponent_kind(const Technique &technique, Normals normals, double n) {
     if (n == 0 || n == 1) {
         return n == 0 ? Exponent::zero : Exponent::one;
     }
-    if (technique.power == Power::stable || (technique.power == Power::automatic && n >= stable_power_from)) {
+    if (asks_for_stable_power(technique, n)) {
         return can_be_stable ? Exponent::stable : Exponent::textbook;
     }
     return Exponent::textbook;

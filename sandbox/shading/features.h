@@ -113,6 +113,9 @@ Features without_guards(Features features);
 /// n as it is raised: times the scene's blinn_exponent_scale where the model measures from the half vector.
 double raised_exponent(const Scene &scene, Model model, const Material &material);
 
+/// Whether power= asks for the stable form of f^n: `stable`, or `auto` from stable_power_from on.
+bool asks_for_stable_power(const Technique &technique, double n);
+
 /// How f^n is found; `normals`: as far as the key shows.
 Exponent exponent_kind(const Technique &technique, Normals normals, double n);
 

@@ -1,11 +1,9 @@
-#include "image/error.h"
 #include "image/page_thread.h"
 #include "ui/page_host.h"
 #include "ui/run_window.h"
 
 #include <emscripten.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <exception>
@@ -20,7 +18,6 @@ void page_fail(const char *why);
 namespace sandbox {
 namespace {
 
-constexpr double poll_seconds = 0.5;                       ///< of files
 constexpr std::size_t window_stack = std::size_t{2} << 20; ///< bytes
 
 /// The window and what it stands on, for as long as the page is open.
@@ -42,8 +39,7 @@ struct PageWindow {
             page_fail(error.what());
             return INFINITY;
         }
-        const double longest = std::min(window.seconds_left(), window.watches_files() ? poll_seconds : INFINITY);
-        return window.unsettled() ? 0 : std::max(longest, 0.0);
+        return window.seconds_left();
     }
 };
 

@@ -4,7 +4,6 @@
 #include "ui/glfw_window.h"
 
 #include <GLFW/glfw3.h>
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -20,12 +19,10 @@ bool has_display_server() {
     return set("DISPLAY") || set("WAYLAND_DISPLAY");
 }
 
-constexpr double poll_seconds = 0.5; ///< of files
-
 /// No event, no frame.
 void wait_for_events(const Window &window) {
-    const double longest = std::min(window.seconds_left(), window.watches_files() ? poll_seconds : INFINITY);
-    if (window.unsettled() || longest <= 0) {
+    const double longest = window.seconds_left();
+    if (longest <= 0) {
         glfwPollEvents();
     } else if (std::isfinite(longest)) {
         glfwWaitEventsTimeout(longest);

@@ -156,9 +156,14 @@ void Window::expire_messages(bool answered) {
 }
 
 double Window::seconds_left() const {
+    constexpr double poll_seconds = 0.5; // of files
+    if (unsettled()) {
+        return 0;
+    }
     const double now = host_.seconds();
     const double moment = session_.playback.playing ? std::max(next_moment_at_ - now, 0.0) : INFINITY;
-    return std::min({notice_.seconds_left(now), message_until_ - now, moment});
+    const double poll = watches_files() ? poll_seconds : INFINITY;
+    return std::max(std::min({notice_.seconds_left(now), message_until_ - now, moment, poll}), 0.0);
 }
 
 void Window::draw() {

@@ -48,7 +48,7 @@ class Window {
     void step();
     /// Is another frame needed though nothing arrives?
     [[nodiscard]] bool unsettled() const { return frames_left_ > 0; }
-    /// Until a frame is needed though nothing arrives; infinite: none.
+    /// Until the next step() is needed though nothing arrives, at least 0; infinite: none is.
     [[nodiscard]] double seconds_left() const;
     /// While a motion plays: goes on by a moment once it is due. A slow machine plays slower, and leaves out none.
     void keep_time();
@@ -60,14 +60,14 @@ class Window {
     ~Window();
     Window(const Window &) = delete;
     Window &operator=(const Window &) = delete;
-    /// Is there a file that may be saved while nothing arrives?
-    [[nodiscard]] bool watches_files() const;
     /// Writes the settings; what is shown, as a sidecar's text, empty before that.
     std::string keep();
     [[nodiscard]] bool quit_asked() const { return session_.requests.quit; }
     [[nodiscard]] Session &session() { return session_; }
 
   private:
+    /// Is there a file that may be saved while nothing arrives?
+    [[nodiscard]] bool watches_files() const;
     void take_input();
     void expire_messages(bool answered);
     void draw();

@@ -48,7 +48,9 @@ export async function newPage(browser, size = {width: 1280, height: 720}, files 
     }
   });
   page.on('pageerror', error => complaints.push(String(error)));
-  await page.evaluateOnNewDocument(kept => { window.keptFiles = kept; }, files);
+  if (Object.keys(files).length > 0) { // as if an earlier visit had kept them
+    await page.evaluateOnNewDocument(kept => localStorage.setItem('shading-sandbox.own', kept), JSON.stringify(files));
+  }
   return {page, complaints};
 }
 

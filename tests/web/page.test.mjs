@@ -124,14 +124,15 @@ describe('the window', () => {
     const {page} = await newPage(browser);
     await page.goto(`${host.address}?vase`);
     await ready(page);
+    const shared = JSON.parse(await page.evaluate(() => Module.keep()));
     await page.evaluate(() => Module.share(Module.keep()));
     const link = await page.waitForFunction(() => location.hash.length > 1 && location.hash).then(hash => hash.jsonValue());
     await page.evaluate(() => { Module.keep = null; });
     const {page: other, complaints} = await newPage(browser);
     await other.goto(`${host.address}/${link}`);
     await ready(other);
-    assert.equal(await other.evaluate(() => JSON.parse(Module.keep()).scene.name), await page.evaluate(
-      state => JSON.parse(state).scene.name, await other.evaluate(() => Module.state)));
+    const opened = JSON.parse(await other.evaluate(() => Module.keep()));
+    assert.deepEqual([opened.scene, opened.techniques, opened.layout], [shared.scene, shared.techniques, shared.layout]);
     assert.deepEqual(complaints, []);
     await other.goto('about:blank');
     await other.goto(`${host.address}/${link.slice(0, link.length / 2)}`);
