@@ -30,12 +30,12 @@ vec3 lighting(${stage.surface_parameters})
 #endif
     vec3 sum = ${stage.first_sum};
 #each light
-#if light.used && light.many
+#if light.used && light.loops
     for (int i = ${light.first}; i < ${light.end}; ++i) {
-        sum += ${light.kind}_light(${light.uniform}${light.arguments});
+        sum += ${light.calls};
     }
 #elif light.used
-    sum += ${light.kind}_light(${light.uniform}${light.arguments});
+    sum += ${light.calls};
 #endif
 #end
     return sum;

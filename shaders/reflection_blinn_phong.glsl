@@ -16,6 +16,9 @@ float blinn_phong(vec3 N, vec3 H)
     float f = h2 > 0.0 ? max(dot(N, H), 0.0) * inversesqrt(h2) : 1.0;
 #if exponent_one
     return f;
+#elif exponent_whole
+    float ${squares};
+    return ${product};
 #else
     return pow(f, shininess);
 #endif

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <variant>
 
 namespace sandbox {
 namespace {
@@ -16,10 +17,21 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr int most_frames = 1000000;
 
+/// What frames are drawn into.
+enum class Pixels { light, display };
+
+Pixels parse_pixels(std::string_view text) {
+    if (text == "float" || text == "display") {
+        return text == "float" ? Pixels::light : Pixels::display;
+    }
+    throw InputError("expected float or display, got '{}'", text);
+}
+
 struct TimeFlags {
     std::string scene, technique{to_string(Technique{})};
     OwnFlags own;
     Size size = default_picture_size;
+    Pixels pixels = Pixels::light;
     std::string frames = "30";
     std::filesystem::path out;
 };
@@ -40,13 +52,19 @@ int parse_frames(std::string_view text, std::string_view where) {
 /// One scene under one technique, drawn again and again into the same target.
 class TimedFrames {
   public:
-    TimedFrames(Renderer &renderer, const Scene &scene, const Technique &technique, Size size)
-        : renderer_(renderer), scene_(scene), technique_(technique), target_(size) {}
+    TimedFrames(Renderer &renderer, const Scene &scene, const Technique &technique, Size size, Pixels pixels)
+        : renderer_(renderer), scene_(scene), technique_(technique),
+          target_(pixels == Pixels::light ? AnyTarget(std::in_place_type<Target>, size)
+                                          : AnyTarget(std::in_place_type<ScreenTarget>, size)) {}
 
     /// Clear, draw, finish; the wall clock in milliseconds.
     double draw() {
         const Clock::time_point start = Clock::now();
-        renderer_.draw(scene_, technique_, target_);
+        if (Target *light = std::get_if<Target>(&target_)) {
+            renderer_.draw(scene_, technique_, *light);
+        } else {
+            renderer_.draw_shown(scene_, technique_, {}, std::get<ScreenTarget>(target_));
+        }
         Renderer::finish();
         return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
     }
@@ -57,13 +75,21 @@ class TimedFrames {
         }
         print(nlohmann::json{{"ms", milliseconds}}.dump() + "\n");
     }
-    [[nodiscard]] Image picture() const { return target_.read_color(); }
+    /// As a screen shows it.
+    [[nodiscard]] ByteImage picture() const {
+        if (const Target *light = std::get_if<Target>(&target_)) {
+            return to_display(light->read_color());
+        }
+        const auto &screen = std::get<ScreenTarget>(target_);
+        return read_window_surface(screen.framebuffer(), screen.size());
+    }
 
   private:
+    using AnyTarget = std::variant<Target, ScreenTarget>;
     Renderer &renderer_;
     const Scene &scene_;
     Technique technique_;
-    Target target_;
+    AnyTarget target_;
 };
 
 int run_time(const TimeFlags &flags, const CommonOptions &common) {
@@ -78,11 +104,12 @@ int run_time(const TimeFlags &flags, const CommonOptions &common) {
     const Scene scene = open_scene(common, flags.scene, {}, flags.size);
 
     DrawingSession session(common, DrawingSession::Own::drawn_here);
-    TimedFrames timed(session.renderer(), scene, technique, flags.size);
+    TimedFrames timed(session.renderer(), scene, technique, flags.size, flags.pixels);
     timed.draw();
     const auto first = Clock::now().time_since_epoch();
     const nlohmann::ordered_json header{
-        {"case", fmt::format("{} {} {}x{}", flags.scene, to_string(technique), flags.size.width, flags.size.height)},
+        {"case", fmt::format("{} {} {}x{}{}", flags.scene, to_string(technique), flags.size.width, flags.size.height,
+                             flags.pixels == Pixels::display ? " display" : "")},
         {"renderer", session.context().renderer()},
         {"first_ns", std::chrono::duration_cast<std::chrono::nanoseconds>(first).count()}};
     print(header.dump() + "\n");
@@ -94,7 +121,7 @@ int run_time(const TimeFlags &flags, const CommonOptions &common) {
         timed.print_batch(frames);
     }
     if (!flags.out.empty()) {
-        write_file(flags.out, encode_png(to_display(timed.picture())));
+        write_file(flags.out, encode_png(timed.picture()));
     }
     return 0;
 }
@@ -108,6 +135,8 @@ void add_time(CLI::App &app, CommonOptions &common, Run &run) {
     add_value(command, "--technique", "T", flags->technique, "Technique to time [per-pixel/blinn-phong]");
     add_own_files(command, flags->own, false);
     add_parsed(command, "--size", "WxH", flags->size, parse_size, "Size of the frames [1280x720]");
+    add_parsed(command, "--target", "float|display", flags->pixels, parse_pixels,
+               "Draw into linear RGBA32F, as measured, or what a screen shows, 8 bits [float]");
     add_value(command, "--frames", "N|-", flags->frames, "Frames after the first; '-' reads counts from stdin [30]");
     add_value(command, "--out", "FILE.png", flags->out, "Write the last frame to this file");
     command.footer(

@@ -65,12 +65,12 @@ LightValues light_values(const Scene &scene, const ObjectLight &on_object, const
     return values;
 }
 
-void put_light(Uploader &uploader, const std::string &name, const LightValues &light) {
+void put_light(UniformSink &sink, const std::string &name, const LightValues &light) {
     const auto vector = [&](const char *member, const glm::dvec3 &value) {
-        uploader.put(name + member, glm::vec3(value));
+        sink.put(name + member, glm::vec3(value));
     };
     const auto number = [&](const char *member, double value) {
-        uploader.put(name + member, static_cast<float>(value));
+        sink.put(name + member, static_cast<float>(value));
     };
     vector(".position", light.position);
     vector(".direction", light.direction);

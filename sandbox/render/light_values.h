@@ -25,6 +25,6 @@ LightValues light_values(const Scene &scene, const ObjectLight &on_object, const
                          const EyeSpace &space);
 
 /// All of one light's members, below `name` ("point_lights[0]").
-void put_light(Uploader &uploader, const std::string &name, const LightValues &light);
+void put_light(UniformSink &sink, const std::string &name, const LightValues &light);
 
 } // namespace sandbox

@@ -12,9 +12,10 @@ constexpr std::size_t most_programs = 48;
 
 } // namespace
 
-void ProgramCache::build(Entry &entry, const Features &features) {
+void ProgramCache::build(Entry &entry, const Key &key) {
+    const auto &[features, constants] = key;
     try {
-        const ProgramSource source = assemble(features, parts_);
+        const ProgramSource source = with_constants(assemble(features, parts_), constants);
         if (features.is_own()) {
             require_es(source);
         }
@@ -34,20 +35,21 @@ void ProgramCache::build(Entry &entry, const Features &features) {
     entry.stale = false;
 }
 
-const GlProgram &ProgramCache::get(const Features &features) {
-    if (entries_.size() >= most_programs && !entries_.contains(features)) {
+const GlProgram &ProgramCache::get(const Features &features, const UniformValues &constants) {
+    const Key key(features, constants);
+    if (entries_.size() >= most_programs && !entries_.contains(key)) {
         evict_oldest();
     }
-    Entry &entry = entries_[features];
+    Entry &entry = entries_[key];
     if (entry.program == nullptr || entry.stale) {
-        build(entry, features);
+        build(entry, key);
     }
     entry.last_use = ++uses_;
     return *entry.program;
 }
 
-bool ProgramCache::has(const Features &features) const {
-    const auto found = entries_.find(features);
+bool ProgramCache::has(const Features &features, const UniformValues &constants) const {
+    const auto found = entries_.find({features, constants});
     return found != entries_.end() && found->second.program != nullptr && !found->second.stale;
 }
 
@@ -65,7 +67,7 @@ const GlProgram &ProgramCache::overlay(const std::string &name, bool deep) {
 
 void ProgramCache::rebuild_all() {
     error_.clear();
-    for (auto &[features, entry] : entries_) {
+    for (auto &[key, entry] : entries_) {
         entry.stale = true;
     }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/gl_program.h"
+#include "shading/constant_text.h"
 #include "shading/features.h"
 #include "shading/parts.h"
 
@@ -11,16 +12,17 @@
 
 namespace sandbox {
 
-/// Programs by the features themselves, built when first needed; the least recently used goes when there are many.
+/// Programs by the features themselves, built when first needed; the least recently used goes when there are many. A
+/// baked program is one by what is written into it, too.
 class ProgramCache {
   public:
     explicit ProgramCache(const ShaderParts &parts) : parts_(parts) {}
 
     /// Throws ShaderError, or InputError of own shading, where it cannot be built and no earlier build of the same
     /// features can stand in.
-    const GlProgram &get(const Features &features);
+    const GlProgram &get(const Features &features, const UniformValues &constants = {});
     /// Would get() return at once?
-    [[nodiscard]] bool has(const Features &features) const;
+    [[nodiscard]] bool has(const Features &features, const UniformValues &constants = {}) const;
     /// One constant colour, of NAME_vertex.glsl and NAME_fragment.glsl: wireframe, segment. `deep` as in Features.
     const GlProgram &overlay(const std::string &name, bool deep);
 
@@ -39,11 +41,12 @@ class ProgramCache {
         bool last_good = false; ///< the present parts do not build
         long last_use = 0;
     };
-    void build(Entry &entry, const Features &features);
+    using Key = std::pair<Features, UniformValues>;
+    void build(Entry &entry, const Key &key);
     void evict_oldest();
 
     const ShaderParts &parts_;
-    std::map<Features, Entry> entries_;
+    std::map<Key, Entry> entries_;
     std::map<std::pair<std::string, bool>, GlProgram> overlays_; ///< by name and `deep`
     std::string error_;
     int built_ = 0;

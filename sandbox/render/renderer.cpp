@@ -124,9 +124,14 @@ struct Renderer::Impl {
         std::erase_if(textures, [](const auto &entry) { return entry.first.use_count() <= 1; });
     }
 
+    /// What is written into the program.
+    static UniformValues constants(const ObjectDraw &draw) {
+        return draw.prepared.program.is_baked() ? uniform_values(draw) : UniformValues{};
+    }
+
     void draw_object(const ObjectDraw &draw, const ObjectResources &own) {
         require_drawable(draw.prepared.features, draw.object);
-        const GlProgram &program = programs.get(draw.prepared.program);
+        const GlProgram &program = programs.get(draw.prepared.program, constants(draw));
         glUseProgram(program.id());
         upload_uniforms(program, draw);
         if (program.has("base_texture")) { // without one: nothing, for WebGL refuses what was bound, the target itself say

@@ -20,9 +20,12 @@ struct ObjectDraw {
 };
 
 /// What a full program branches on.
-void put_choices(Uploader &uploader, const Features &object);
+void put_choices(UniformSink &sink, const Features &object);
 
 /// Sets every active uniform of `program`, which is in use. Throws std::logic_error if one stays unset.
 void upload_uniforms(const GlProgram &program, const ObjectDraw &draw);
+
+/// The values of all that a baked program of this draw can write in. Needs no OpenGL.
+UniformValues uniform_values(const ObjectDraw &draw);
 
 } // namespace sandbox

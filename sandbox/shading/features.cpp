@@ -166,6 +166,13 @@ void derive_highlights(Features &f, const Scene &scene, const Technique &techniq
     }
 }
 
+/// n as a whole number of multiplications, whose error (n - 1) 2^-24 is below what pow() is allowed; 0: by pow().
+int whole_exponent(const Features &f, const Technique &technique, double n) {
+    const bool by_pow = f.exponent == Exponent::textbook && technique.power != Power::naive;
+    const bool whole = n >= 2 && n < stable_power_from && n == std::floor(n);
+    return by_pow && whole && technique.precision == Precision::high ? static_cast<int>(n) : 0;
+}
+
 /// Does the equation read V? What does not is the same program whatever the viewer and the position key say.
 bool needs_view(const Features &f) {
     const bool open_half = std::ranges::any_of(
@@ -304,6 +311,10 @@ Features derive_features(const Scene &scene, const Technique &given, const Objec
     derive_what_shows(f, technique);
     const bool lights_pixels = technique.frequency == Frequency::per_pixel || technique.frequency == Frequency::hybrid;
     f.wide = lights_pixels && technique.position == LightingPosition::world && is_wide(scene, object, mesh);
+    if (technique.program == Program::baked) {
+        f.technique.program = Program::baked;
+        f.whole_exponent = whole_exponent(f, technique, raised_exponent(scene, technique.model, object.material));
+    }
     if (technique.program == Program::full) {
         f.technique.program = Program::full;
         f.technique.frequency = technique.frequency;

@@ -64,6 +64,7 @@ struct Features {
     bool guard_normal = false;        ///< interpolated normals may cancel to 0
     bool guard_vertex_normal = false; ///< the transform may leave nothing of a normal, or nothing float32 can square
     Exponent exponent = Exponent::zero;
+    int whole_exponent = 0;    ///< n where it is written in, and raised by multiplications; 0: by pow()
     bool two_sided = false;    ///< N is turned; technique.facing says where
     bool orthographic = false; ///< that technique.viewer is infinite is no fault
     bool afar = false;         ///< positions are measured from the object's middle, not from the eye
@@ -79,6 +80,7 @@ struct Features {
 
     [[nodiscard]] bool is_own() const { return technique.model == Model::own; }
     [[nodiscard]] bool is_full() const { return technique.program == Program::full; }
+    [[nodiscard]] bool is_baked() const { return technique.program == Program::baked; }
     /// Are positions measured from elsewhere than the eye?
     [[nodiscard]] bool off_eye() const { return afar || technique.position == LightingPosition::absolute; }
     [[nodiscard]] bool has_base() const { return textured || chequered || colored; }

@@ -1,240 +1,15 @@
 #include "shading/template_values.h"
 
+#include "shading/light_template.h"
 #include "shading/own_template.h"
+#include "shading/template_fill.h"
 
 #include <algorithm>
-#include <cctype>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 namespace sandbox {
 namespace {
-using Flags = std::initializer_list<std::pair<std::string_view, bool>>;
-using Texts = std::initializer_list<std::pair<std::string_view, std::string>>;
-
-/// The kind "point" makes "point.diffuse" of "diffuse".
-std::string dotted(std::string_view kind, std::string_view name) { return std::string(kind).append(".").append(name); }
-
-void add_flags(TemplateValues &values, std::string_view kind, const Flags &flags) {
-    for (const auto &[name, on] : flags) {
-        values.flags[dotted(kind, name)] = on;
-    }
-}
-
-void add_texts(TemplateValues &values, std::string_view kind, const Texts &texts) {
-    for (const auto &[name, text] : texts) {
-        values.texts[dotted(kind, name)] = text;
-    }
-}
-
-/// Terms joined into one sum; `none` where there are none.
-std::string sum_of(const std::vector<std::string> &terms, const std::string &none = "") {
-    return terms.empty() ? none : fmt::format("{}", fmt::join(terms, " + "));
-}
-
-std::string in_brackets(const std::vector<std::string> &terms) {
-    return terms.size() > 1 ? "(" + sum_of(terms) + ")" : sum_of(terms);
-}
-
-/// The lights of one kind, seen from one stage.
-struct LightPart {
-    const LightKind &kind;
-    const Features &program;
-    const StageNeeds &stage;
-    const LightFeatures &features;
-    const LightNeeds &here; ///< in this stage
-};
-
-/// "PointLight"; a full program has but one type.
-std::string type_name(const Features &program, const LightKind &kind) {
-    const auto first = static_cast<char>(std::toupper(static_cast<unsigned char>(kind.word[0])));
-    return program.is_full() ? "Light" : fmt::format("{}{}Light", first, kind.word.substr(1));
-}
-
-/// The array that holds the lights of a kind, and what is interpolated of them.
-void add_array(TemplateValues &values, const LightKind &kind, const Features &program, const LightFeatures &has,
-               const LightNeeds &handed) {
-    add_flags(values, kind.word,
-              {{"many", has.count > 1},
-               {"positional", kind.positional},
-               {"directed", kind.directed},
-               {"ambient", has.ambient},
-               {"attenuated_ambient", has.attenuated_ambient},
-               {"diffuse", has.diffuse},
-               {"specular", has.specular},
-               {"given_half_vector", has.given_half_vector},
-               {"constant", has.constant},
-               {"linear", has.linear},
-               {"quadratic", has.quadratic},
-               {"cone", has.cone()},
-               {"narrow_cone", has.narrow_cone},
-               {"hard_cone", has.hard_cone},
-               {"soft_cone", has.soft_cone},
-               {"exponent", has.exponent},
-               {"varying_any", handed.given_any()},
-               {"varying_L", handed.given_L},
-               {"varying_H", handed.given_H},
-               {"varying_R", handed.given_R},
-               {"varying_distance", handed.given_distance},
-               {"varying_attenuation", handed.given_attenuation}});
-    add_texts(values, kind.word,
-              {{"v", program.is_full() ? "v" : fmt::format("v_{}", kind.word)},
-               {"type", type_name(program, kind)},
-               {"array", program.is_full() ? "lights" : fmt::format("{}_lights", kind.word)},
-               {"count", std::to_string(has.count)}});
-}
-
-std::string attenuation_denominator(const LightFeatures &f, const std::string &light) {
-    std::vector<std::string> terms;
-    for (const auto &[there, term] :
-         {std::pair{f.constant, ".constant"}, {f.linear, ".linear * d"}, {f.quadratic, ".quadratic * d * d"}}) {
-        if (there) {
-            terms.push_back(light + term);
-        }
-    }
-    return sum_of(terms, "1.0");
-}
-
-/// A value of a technique key as its GLSL names it: "blinn_phong".
-std::string glsl_name(const TechniqueValue &value) {
-    std::string name(value.name);
-    std::ranges::replace(name, '-', '_');
-    return name;
-}
-
-std::string glsl_name(Model model) { return glsl_name(model_values[static_cast<std::size_t>(model)]); }
-
-/// f^n of one model, as it is called.
-std::string highlight_of(Model model, const LightPart &light) {
-    if (mirrors_view(model)) {
-        return fmt::format("{}({})", glsl_name(model), light.here.given_R ? "normalize(mirrored), V" : "R, L");
-    }
-    std::string half = light.here.given_H ? "H" : "L + V";
-    if (light.program.is_full()) {
-        half = fmt::format("{}_given_half_vector ? light.half_vector : {}", light.kind.word, half);
-    } else if (light.features.given_half_vector) {
-        half = "light.half_vector";
-    }
-    return fmt::format("{}(N, {})", glsl_name(model), half);
-}
-
-std::string highlight(const LightPart &light) {
-    if (light.program.exponent == Exponent::zero) {
-        return "1.0";
-    }
-    if (!light.program.is_full()) {
-        return highlight_of(light.program.technique.model, light);
-    }
-    std::string text;
-    for (const Model model : all_models) {
-        if (reflection(model).specular) {
-            const std::string call = highlight_of(model, light);
-            text = text.empty() ? call : fmt::format("model_{} ? {} : {}", glsl_name(model), call, text);
-        }
-    }
-    return fmt::format("(exponent_zero ? 1.0 : {})", text);
-}
-
-/// What a light function is handed besides the light: parameter and argument, in step.
-std::pair<std::string, std::string> light_parameters(const LightPart &light, const TemplateValues &values) {
-    const LightNeeds &n = light.here;
-    const auto varying = [&](const std::string &name) {
-        const std::string &prefix = values.texts.at(dotted(light.kind.word, "v"));
-        return fmt::format("{}_{}[{}]", prefix, name, light.features.count > 1 ? "i" : "0");
-    };
-    std::string parameters;
-    std::string arguments;
-    const auto add = [&](bool needed, const std::string &parameter, const std::string &argument) {
-        parameters += needed ? ", " + parameter : "";
-        arguments += needed ? ", " + argument : "";
-    };
-    add(n.uses_P(), "vec3 P", "P");
-    add(n.uses_N, "vec3 N", "N");
-    add(n.uses_V, "vec3 V", "V");
-    add(n.uses_R, "vec3 R", "R");
-    add(n.given_L, "vec3 direction", varying("L"));
-    add(n.given_H, "vec3 H", varying(values.texts.at("H")));
-    add(n.given_R, "vec3 mirrored", varying(values.texts.at("R")));
-    add(n.given_distance, "float d", varying("distance"));
-    add(n.given_attenuation, "float a", varying("attenuation"));
-    add(light.stage.separate_specular && n.adds_specular, "inout vec3 specular", "specular");
-    return {parameters, arguments};
-}
-
-/// The light's terms: what is added outright, and what attenuation and cone multiply.
-void add_sums(TemplateValues &values, const LightPart &light) {
-    const LightNeeds &n = light.here;
-    const Technique &technique = light.program.technique;
-    const bool full = light.program.is_full();
-    std::string times = light.features.attenuated() && n.fades ? "a * " : "";
-    times += n.uses_cone ? "s * " : "";
-    const std::string lit = full || technique.ambient == AmbientWhere::where_lit ? "lit * " : "";
-    std::vector<std::string> faded;
-    if (n.adds_attenuated_ambient) {
-        faded.push_back(lit + "light.attenuated_ambient");
-    }
-    if (n.adds_diffuse) {
-        std::string incidence = technique.direction == DirectionSign::travel ? "n_dot_l" : "-n_dot_l";
-        incidence = full ? "direction_unnegated_diffuse ? -n_dot_l : n_dot_l" : incidence;
-        faded.push_back(fmt::format("light.diffuse * max({}, 0.0)", light.kind.positional ? "n_dot_l" : incidence));
-    }
-    const std::string specular = full ? "shine" : "light.specular * highlight";
-    if (n.adds_specular && !light.stage.separate_specular) {
-        faded.push_back(specular);
-    } else if (n.adds_specular && full) {
-        faded.emplace_back("(specular_apart ? vec3(0.0) : shine)");
-    }
-    std::vector<std::string> sum;
-    if (n.adds_ambient) {
-        sum.push_back(lit + "light.ambient");
-    }
-    if (!faded.empty()) {
-        sum.push_back(times.empty() ? sum_of(faded) : times + in_brackets(faded));
-    }
-    add_texts(values, light.kind.word,
-              {{"sum", sum_of(sum, "vec3(0.0)")},
-               {"specular_sum", times.empty() || full ? times + specular : times + "(" + specular + ")"}});
-}
-
-/// The function of a kind's lights in one stage.
-void add_light(TemplateValues &values, const LightPart &light) {
-    const LightFeatures &has = light.features;
-    const LightNeeds &n = light.here;
-    add_flags(values, light.kind.word,
-              {{"used", n.any},
-               {"floor", has.floor},
-               {"on_surface", has.on_surface},
-               {"no_exponent", has.no_exponent},
-               {"adds_ambient", n.adds_ambient},
-               {"adds_attenuated_ambient", n.adds_attenuated_ambient},
-               {"adds_specular", n.adds_specular},
-               {"adds_separate_specular", n.adds_specular && light.stage.separate_specular},
-               {"uses_n_dot_l", n.uses_n_dot_l},
-               {"uses_L", n.uses_L},
-               {"finds_L", n.finds_L},
-               {"given_L", n.given_L},
-               {"finds_distance", n.finds_distance},
-               {"finds_attenuation", n.finds_attenuation},
-               {"uses_cone", n.uses_cone}});
-    const std::string uniform = light_uniform(light.program, light.kind, "i");
-    const std::string denominator = attenuation_denominator(has, uniform);
-    const auto [parameters, arguments] = light_parameters(light, values);
-    const bool full = light.program.is_full();
-    add_texts(
-        values, light.kind.word,
-        {{"kind", std::string(light.kind.word)},
-         {"first", full ? fmt::format("{}_first", light.kind.word) : "0"},
-         {"end", full ? fmt::format("{}_end", light.kind.word) : std::to_string(has.count)},
-         {"uniform", uniform},
-         {"parameters", parameters},
-         {"arguments", arguments},
-         {"denominator", attenuation_denominator(has, "light")},
-         {"safe_denominator", has.floor ? fmt::format("max({}, 1e-6)", denominator) : fmt::format("({})", denominator)},
-         {"distance", n.finds_distance ? "d" : "length(to_light)"},
-         {"highlight", highlight(light)}});
-    add_sums(values, light);
-}
-
 void add_stage(TemplateValues &values, const Features &f, const StageNeeds &stage, std::string_view name,
                bool fragment) {
     const bool stable_cone = std::ranges::any_of(light_kinds, [&](const LightKind &kind) {
@@ -304,6 +79,28 @@ std::string color_expression(const Features &f, const ProgramNeeds &needs) {
     return sum_of(plain, "vec3(0.0)");
 }
 
+/// f raised to 2, 4, ... 2^k <= n: "f2 = f * f, f4 = f2 * f2".
+std::string squares(int n) {
+    std::vector<std::string> all;
+    std::string below = "f";
+    for (int power = 2; power <= n; power *= 2) {
+        all.push_back(fmt::format("f{0} = {1} * {1}", power, below));
+        below = fmt::format("f{}", power);
+    }
+    return fmt::format("{}", fmt::join(all, ", "));
+}
+
+/// Those of them whose product is f^n: "f32 * f4".
+std::string product(int n) {
+    std::vector<std::string> factors;
+    for (int power = 1; power <= n; power *= 2) {
+        if ((n & power) != 0) {
+            factors.insert(factors.begin(), power == 1 ? "f" : fmt::format("f{}", power));
+        }
+    }
+    return fmt::format("{}", fmt::join(factors, " * "));
+}
+
 void add_program(TemplateValues &values, const Features &f, const ProgramNeeds &needs) {
     const Technique &technique = f.technique;
     const bool full = f.is_full();
@@ -326,7 +123,9 @@ void add_program(TemplateValues &values, const Features &f, const ProgramNeeds &
           technique.position == LightingPosition::w0 || (off_eye && needs.vertex.V) || (full && needs.vertex.P)},
          {"fragment.reads_eye", needs.fragment.V && !needs.vectors && !f.wide && (off_eye || full)},
          {"passes_view", needs.vectors && needs.fragment.V && (full || technique.viewer == Viewer::local)},
-         {"reads_exponent", f.exponent == Exponent::textbook || f.exponent == Exponent::stable},
+         {"reads_exponent",
+          (f.exponent == Exponent::textbook && f.whole_exponent == 0) || f.exponent == Exponent::stable},
+         {"exponent_whole", f.whole_exponent > 0},
          {"guard_normal", f.guard_normal},
          {"guard_vertex_normal", f.guard_vertex_normal},
          {"emission", f.emission},
@@ -347,6 +146,8 @@ void add_program(TemplateValues &values, const Features &f, const ProgramNeeds &
                                              : off_eye     ? "eye - v_position"
                                              : full        ? "(off_eye ? eye : vec3(0.0)) - v_position"
                                                            : "-v_position"},
+                         {"squares", squares(f.whole_exponent)},
+                         {"product", product(f.whole_exponent)},
                          {"fragment.color", color_expression(f, needs)}});
     for (const Model model : all_models) {
         const std::string name = glsl_name(model);
@@ -369,14 +170,6 @@ void add_shared_array(TemplateValues &values, const Features &f, const ProgramNe
 }
 
 } // namespace
-
-std::string light_uniform(const Features &program, const LightKind &kind, const std::string &index) {
-    if (program.is_full()) {
-        return fmt::format("lights[{}]", index);
-    }
-    return program.lights[kind.type].count > 1 ? fmt::format("{}_lights[{}]", kind.word, index)
-                                               : fmt::format("the_{}_light", kind.word);
-}
 
 std::vector<std::pair<std::string, bool>> choices(const Features &f) {
     std::vector<std::pair<std::string, bool>> all{{"normals_rigid", f.normal_transform == NormalTransform::rigid},

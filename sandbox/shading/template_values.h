@@ -21,8 +21,4 @@ void choose_stage(TemplateValues &values, const Features &program, const Program
 /// specialised program; uniforms of the full one (see uniform_name()), which branches on them.
 std::vector<std::pair<std::string, bool>> choices(const Features &object);
 
-/// The uniform that holds the light at `index` of its kind, or of all lights in a full program: "the_point_light",
-/// "spot_lights[1]", "lights[5]".
-std::string light_uniform(const Features &program, const LightKind &kind, const std::string &index);
-
 } // namespace sandbox

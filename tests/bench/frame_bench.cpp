@@ -1,6 +1,6 @@
+#include "opponent.h"
 #include "render/context.h"
 #include "render/renderer.h"
-#include "textbook.h"
 #include "turns.h"
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-/// Our frame against a textbook's hand-written program, same triangles, same lights, same equation; and what lighting
-/// costs at all: one directional Lambert light per pixel against the same triangles in one colour.
+/// Our frame against programs written by hand, same triangles, same lights, same equation, same kind of target; and
+/// what lighting costs at all: one directional Lambert light per pixel against the same triangles in one colour.
 namespace {
 
 using namespace sandbox;
@@ -29,20 +29,41 @@ double largest_difference(const Image &ours, const std::vector<float> &theirs) {
     return largest;
 }
 
-void duel(Renderer &renderer, const Scene &scene, const char *technique_text, const Textbook &textbook, int turns,
-          const char *rival, bool compare) {
+int largest_difference(const ByteImage &ours, const std::vector<unsigned char> &theirs) {
+    int largest = 0;
+    for (std::size_t i = 0; i < theirs.size(); ++i) {
+        largest = std::max(largest, std::abs(ours.rgb[i] - theirs[i]));
+    }
+    return largest;
+}
+
+void duel(Renderer &renderer, const Scene &scene, const char *technique_text, const Opponent::Kind &kind,
+          const char *rival, int turns) {
     const Technique technique = parse_technique(technique_text);
-    Target target(size);
+    const Opponent opponent(scene, kind, size);
+    const bool bytes = kind.pixels == Opponent::Pixels::bytes;
+    Target light(size);
+    ScreenTarget screen(size);
     const Contender ours{technique_text, [&] {
-                             renderer.draw(scene, technique, target);
+                             if (bytes) {
+                                 renderer.draw_shown(scene, technique, {}, screen);
+                             } else {
+                                 renderer.draw(scene, technique, light);
+                             }
                              Renderer::finish();
                          }};
-    const Contender theirs{rival, [&] { textbook.frame(); }};
+    const Contender theirs{rival, [&] { opponent.frame(); }};
     const Duel result = take_turns(ours, theirs, turns);
     char note[64] = "";
-    if (compare) {
+    if (kind.shading == Opponent::Shading::constant_colour) {
+        // another picture
+    } else if (bytes) {
+        const ByteImage picture = read_window_surface(screen.framebuffer(), size);
+        std::snprintf(note, sizeof note, " | 8 bits, max difference %d",
+                      largest_difference(picture, opponent.read_bytes()));
+    } else {
         std::snprintf(note, sizeof note, " | max difference %.1e",
-                      largest_difference(target.read_color(), textbook.read_rgba()));
+                      largest_difference(light.read_color(), opponent.read_rgba()));
     }
     print_duel(ours, theirs, result, note);
 }
@@ -55,22 +76,42 @@ int main(int argc, char **argv) {
     std::printf("%s, %dx%d, %d turns of 10 frames\n", context->renderer().c_str(), size.width, size.height, turns);
     Renderer renderer(Assets("assets"), ShaderParts(Assets("shaders")));
     const Scene three = three_lights_on_a_sphere();
-    using Shading = Textbook::Shading;
-    using Highlight = Textbook::Highlight;
+    using Writing = Opponent::Writing;
+    using Shading = Opponent::Shading;
+    using Pixels = Opponent::Pixels;
+    constexpr auto phong = Opponent::Highlight::phong, blinn_phong = Opponent::Highlight::blinn_phong;
     const struct {
         const char *technique;
-        Shading shading;
-        Highlight highlight;
-    } rows[] = {{"per-vertex/phong", Shading::per_vertex, Highlight::phong},
-                {"per-vertex/blinn-phong", Shading::per_vertex, Highlight::blinn_phong},
-                {"per-pixel/phong", Shading::per_pixel, Highlight::phong},
-                {"per-pixel/blinn-phong", Shading::per_pixel, Highlight::blinn_phong}};
+        Opponent::Kind kind;
+        const char *rival;
+    } rows[] = {
+        {"per-vertex/phong", {Writing::textbook, Shading::per_vertex, phong, Pixels::light}, "textbook"},
+        {"per-vertex/blinn-phong", {Writing::textbook, Shading::per_vertex, blinn_phong, Pixels::light}, "textbook"},
+        {"per-pixel/phong", {Writing::textbook, Shading::per_pixel, phong, Pixels::light}, "textbook"},
+        {"per-pixel/blinn-phong", {Writing::textbook, Shading::per_pixel, blinn_phong, Pixels::light}, "textbook"},
+        {"per-vertex/blinn-phong", {Writing::plain, Shading::per_vertex, blinn_phong, Pixels::light}, "plain"},
+        {"per-pixel/blinn-phong", {Writing::plain, Shading::per_pixel, blinn_phong, Pixels::light}, "plain"},
+        {"per-vertex/blinn-phong", {Writing::plain, Shading::per_vertex, blinn_phong, Pixels::bytes}, "plain"},
+        {"per-pixel/blinn-phong", {Writing::plain, Shading::per_pixel, blinn_phong, Pixels::bytes}, "plain"},
+        {"per-vertex/blinn-phong", {Writing::lean, Shading::per_vertex, blinn_phong, Pixels::bytes}, "lean"},
+        {"per-pixel/blinn-phong", {Writing::lean, Shading::per_pixel, blinn_phong, Pixels::bytes}, "lean"},
+        {"per-vertex/blinn-phong:program=baked",
+         {Writing::plain, Shading::per_vertex, blinn_phong, Pixels::bytes},
+         "plain"},
+        {"per-pixel/blinn-phong:program=baked",
+         {Writing::plain, Shading::per_pixel, blinn_phong, Pixels::bytes},
+         "plain"},
+        {"per-vertex/blinn-phong:program=baked",
+         {Writing::lean, Shading::per_vertex, blinn_phong, Pixels::bytes},
+         "lean"},
+        {"per-pixel/blinn-phong:program=baked",
+         {Writing::lean, Shading::per_pixel, blinn_phong, Pixels::bytes},
+         "lean"},
+    };
     for (const auto &row : rows) {
-        const Textbook textbook(three, row.shading, row.highlight, size);
-        duel(renderer, three, row.technique, textbook, turns, "textbook", true);
+        duel(renderer, three, row.technique, row.kind, row.rival, turns);
     }
-    const Scene sun = one_directional_light();
-    const Textbook constant(sun, Shading::constant_colour, Highlight::phong, size);
-    duel(renderer, sun, "per-pixel/lambert", constant, turns, "one colour", false);
+    const Opponent::Kind constant{.shading = Shading::constant_colour};
+    duel(renderer, one_directional_light(), "per-pixel/lambert", constant, "one colour", turns);
     return 0;
 }

@@ -74,6 +74,29 @@ TEST_F(Metamorphic, BuiltInScenesLookTheSameUnderTheFullProgram) {
     }
 }
 
+/// A baked program folds what it knows and raises by multiplications, which errs by (n - 1) 2^-24; pow() is allowed
+/// 2e-5 + 4e-7 n.
+TEST_F(Metamorphic, BakedAndSpecialisedProgramGiveTheSamePicture) {
+    constexpr Size size{160, 120};
+    int compared = 0;
+    for (const Scene &scene : feature_scenes()) {
+        for (Technique technique : pairwise_techniques()) {
+            technique.program = Program::baked;
+            if (why_refused(technique) || technique.power == Power::naive) {
+                continue;
+            }
+            const Image baked = renderer_.render(scene, technique, size).color;
+            technique.program = Program::specialised;
+            const Image specialised = renderer_.render(scene, technique, size).color;
+            const Difference d = difference(baked, specialised);
+            const double n = std::min(scene.objects[0].material.shininess, stable_power_from);
+            EXPECT_LE(d.largest, (3e-5 + 4e-7 * n) * d.brightest) << scene.name << " " << to_string(technique);
+            ++compared;
+        }
+    }
+    EXPECT_GT(compared, 200);
+}
+
 /// A quarter turn about y and a shift, both exact in binary, of everything there is: the picture must not care where
 /// the world's origin is. Faults that are about the origin (w0, constant half vector) are left out.
 TEST_F(Metamorphic, MovingSceneAndCameraTogetherGivesTheSamePicture) {

@@ -52,6 +52,29 @@ TEST(ProgramText, DirectionalLambertHoldsNothingElse) {
     EXPECT_TRUE(has(text, "max(n_dot_l, 0.0)"));
 }
 
+TEST(ProgramText, ABakedProgramMultipliesWholeExponentsAndWritesItsLightsOut) {
+    Scene scene = named("all");
+    const auto raised_to = [&](double n, const std::string &technique = "per-pixel/phong:program=baked") {
+        scene.objects[0].material.shininess = n;
+        return text_of(scene, technique);
+    };
+    const std::string hundred = raised_to(100); // 64 + 32 + 4
+    EXPECT_TRUE(has(hundred, "float f2 = f * f, f4 = f2 * f2, f8 = f4 * f4, f16 = f8 * f8, f32 = f16 * f16, "
+                             "f64 = f32 * f32;"));
+    EXPECT_TRUE(has(hundred, "return f64 * f32 * f4;"));
+    EXPECT_FALSE(has(hundred, "pow(max(dot(R, L)"));
+    EXPECT_FALSE(has(hundred, "shininess"));
+    EXPECT_TRUE(has(raised_to(3), "return f2 * f;"));
+    for (const double by_pow : {2.5, 0.5}) {
+        EXPECT_TRUE(has(raised_to(by_pow), "pow(max(dot(R, L), 0.0), shininess)")) << by_pow;
+    }
+    EXPECT_TRUE(has(raised_to(1024), "stable_power(0.5"));
+    EXPECT_TRUE(has(raised_to(32, "per-pixel/phong:power=naive,program=baked"), "shininess"));
+    EXPECT_FALSE(has(raised_to(32), "for (int"));
+    EXPECT_TRUE(has(hundred,
+                    "point_light(point_lights[0], v_position, N, R) + point_light(point_lights[1], v_position, N, R)"));
+}
+
 TEST(ProgramText, WhatASceneNeedsIsThere) {
     const std::string text = text_of(named("all"), "per-pixel/blinn-phong");
     EXPECT_TRUE(has(text, "pow(f, shininess)"));

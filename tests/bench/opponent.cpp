@@ -1,4 +1,6 @@
-#include "textbook.h"
+#include "opponent.h"
+
+#include "opponent_text.h"
 
 #include "scene/mesh.h"
 
@@ -14,102 +16,6 @@
 namespace sandbox {
 namespace {
 
-constexpr const char *lighting = R"(
-struct PointLight {
-    vec3 position;
-    vec3 ambient;
-    vec3 diffuse;
-    vec3 specular;
-    float constant;
-    float linear;
-    float quadratic;
-};
-struct Material {
-    vec3 ambient;
-    vec3 diffuse;
-    vec3 specular;
-    float shininess;
-};
-uniform PointLight lights[LIGHTS];
-uniform Material material;
-uniform vec3 eye;
-
-vec3 light_surface(vec3 P, vec3 normal) {
-    vec3 N = normalize(normal);
-    vec3 V = normalize(eye - P);
-    vec3 result = vec3(0.0);
-    for (int i = 0; i < LIGHTS; ++i) {
-        vec3 L = normalize(lights[i].position - P);
-        float d = length(lights[i].position - P);
-        float attenuation = 1.0 / (lights[i].constant + lights[i].linear * d + lights[i].quadratic * d * d);
-        float n_dot_l = dot(N, L);
-        vec3 ambient = lights[i].ambient * material.ambient;
-        vec3 diffuse = lights[i].diffuse * material.diffuse * max(n_dot_l, 0.0);
-        vec3 specular = vec3(0.0);
-        if (n_dot_l > 0.0) {
-#ifdef PHONG
-            vec3 R = reflect(-L, N);
-            float f = max(dot(R, V), 0.0);
-#else
-            vec3 H = normalize(L + V);
-            float f = max(dot(N, H), 0.0);
-#endif
-            specular = lights[i].specular * material.specular * pow(f, material.shininess);
-        }
-        result += ambient + attenuation * (diffuse + specular);
-    }
-    return result;
-}
-)";
-
-constexpr const char *vertex_inputs = R"(
-layout(location = 0) in vec3 position;
-layout(location = 1) in vec3 normal;
-uniform mat4 model;
-uniform mat4 view;
-uniform mat4 projection;
-uniform mat3 normal_matrix;
-)";
-
-constexpr const char *per_pixel_vertex = R"(
-out vec3 world_position;
-out vec3 world_normal;
-void main() {
-    world_position = vec3(model * vec4(position, 1.0));
-    world_normal = normal_matrix * normal;
-    gl_Position = projection * view * vec4(world_position, 1.0);
-}
-)";
-constexpr const char *per_pixel_fragment = R"(
-in vec3 world_position;
-in vec3 world_normal;
-out vec4 colour;
-void main() { colour = vec4(light_surface(world_position, world_normal), 1.0); }
-)";
-constexpr const char *per_vertex_vertex = R"(
-out vec3 lit;
-void main() {
-    vec3 world_position = vec3(model * vec4(position, 1.0));
-    lit = light_surface(world_position, normal_matrix * normal);
-    gl_Position = projection * view * vec4(world_position, 1.0);
-}
-)";
-constexpr const char *per_vertex_fragment = R"(
-in vec3 lit;
-out vec4 colour;
-void main() { colour = vec4(lit, 1.0); }
-)";
-constexpr const char *constant_vertex = R"(
-layout(location = 0) in vec3 position;
-uniform mat4 model_view_projection;
-void main() { gl_Position = model_view_projection * vec4(position, 1.0); }
-)";
-constexpr const char *constant_fragment = R"(
-uniform vec3 constant_colour;
-out vec4 colour;
-void main() { colour = vec4(constant_colour, 1.0); }
-)";
-
 GLuint compile(GLenum stage, const std::string &text) {
     const GLuint shader = glCreateShader(stage);
     const char *source = text.c_str();
@@ -120,58 +26,47 @@ GLuint compile(GLenum stage, const std::string &text) {
     if (compiled == 0) {
         std::string log(4096, '\0');
         glGetShaderInfoLog(shader, 4096, nullptr, log.data());
-        std::fprintf(stderr, "textbook shader: %s\n", log.c_str());
+        std::fprintf(stderr, "opponent's shader: %s\n", log.c_str());
         std::exit(2);
     }
     return shader;
 }
 
-GLuint link(const std::string &vertex, const std::string &fragment) {
+GLuint link(const OpponentText &text) {
     const GLuint program = glCreateProgram();
-    glAttachShader(program, compile(GL_VERTEX_SHADER, vertex));
-    glAttachShader(program, compile(GL_FRAGMENT_SHADER, fragment));
+    glAttachShader(program, compile(GL_VERTEX_SHADER, text.vertex));
+    glAttachShader(program, compile(GL_FRAGMENT_SHADER, text.fragment));
     glLinkProgram(program);
     return program;
 }
 
-GLuint build(const Scene &scene, Textbook::Shading shading, Textbook::Highlight highlight) {
-    const std::string version = "#version 330 core\n#define LIGHTS " + std::to_string(scene.lights.size()) + "\n" +
-                                (highlight == Textbook::Highlight::phong ? "#define PHONG\n" : "");
-    switch (shading) {
-    case Textbook::Shading::per_vertex:
-        return link(version + vertex_inputs + lighting + per_vertex_vertex, version + per_vertex_fragment);
-    case Textbook::Shading::per_pixel:
-        return link(version + vertex_inputs + per_pixel_vertex, version + lighting + per_pixel_fragment);
-    case Textbook::Shading::constant_colour:
-        break;
-    }
-    return link(version + constant_vertex, version + constant_fragment);
-}
-
-GLuint make_framebuffer_of(Size size) {
+GLuint make_framebuffer_of(Size size, Opponent::Pixels pixels) {
+    const bool bytes = pixels == Opponent::Pixels::bytes;
     GLuint framebuffer = 0, colour = 0, depth = 0;
     glGenFramebuffers(1, &framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glGenTextures(1, &colour);
     glBindTexture(GL_TEXTURE_2D, colour);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, size.width, size.height, 0, GL_RGBA, GL_FLOAT, nullptr);
+    glTexImage2D(GL_TEXTURE_2D, 0, bytes ? GL_RGBA8 : GL_RGBA32F, size.width, size.height, 0, GL_RGBA,
+                 bytes ? GL_UNSIGNED_BYTE : GL_FLOAT, nullptr);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, colour, 0);
     glGenRenderbuffers(1, &depth);
     glBindRenderbuffer(GL_RENDERBUFFER, depth);
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, size.width, size.height);
+    glRenderbufferStorage(GL_RENDERBUFFER, bytes ? GL_DEPTH_COMPONENT24 : GL_DEPTH_COMPONENT32F, size.width,
+                          size.height);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth);
     return framebuffer;
 }
 
 } // namespace
 
-Textbook::Textbook(const Scene &scene, Shading shading, Highlight highlight, Size size)
-    : size_(size), program_(build(scene, shading, highlight)), framebuffer_(make_framebuffer_of(size)) {
+Opponent::Opponent(const Scene &scene, const Kind &kind, Size size)
+    : size_(size), program_(link(opponent_text(scene, kind))), framebuffer_(make_framebuffer_of(size, kind.pixels)) {
     upload_mesh(scene);
     upload_uniforms(scene);
 }
 
-void Textbook::upload_mesh(const Scene &scene) {
+void Opponent::upload_mesh(const Scene &scene) {
     const Mesh mesh = build_mesh(scene.objects.at(0).mesh);
     std::vector<glm::vec3> vertices;
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -194,7 +89,7 @@ void Textbook::upload_mesh(const Scene &scene) {
     indices_ = static_cast<int>(3 * mesh.triangles.size());
 }
 
-void Textbook::upload_uniforms(const Scene &scene) const {
+void Opponent::upload_uniforms(const Scene &scene) const {
     glUseProgram(program_);
     const auto at = [&](const std::string &name) { return glGetUniformLocation(program_, name.c_str()); };
     const auto set3 = [&](const std::string &name, glm::dvec3 v) {
@@ -232,10 +127,13 @@ void Textbook::upload_uniforms(const Scene &scene) const {
         set1(name + "constant", light.attenuation.constant);
         set1(name + "linear", light.attenuation.linear);
         set1(name + "quadratic", light.attenuation.quadratic);
+        const std::string index = "[" + std::to_string(i) + "]";
+        set3("light_position" + index, light.position);
+        set3("light_color" + index, light.color);
     }
 }
 
-void Textbook::frame() const {
+void Opponent::frame() const {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     glViewport(0, 0, size_.width, size_.height);
     glEnable(GL_DEPTH_TEST);
@@ -251,14 +149,14 @@ void Textbook::frame() const {
     glFinish();
 }
 
-std::vector<float> Textbook::read_rgba() const {
+std::vector<float> Opponent::read_rgba() const {
     std::vector<float> rgba(4 * static_cast<std::size_t>(size_.width) * static_cast<std::size_t>(size_.height));
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
     glReadPixels(0, 0, size_.width, size_.height, GL_RGBA, GL_FLOAT, rgba.data());
     return rgba;
 }
 
-std::vector<unsigned char> Textbook::read_bytes() const {
+std::vector<unsigned char> Opponent::read_bytes() const {
     const auto rgba = read_rgba();
     const auto width = static_cast<std::size_t>(size_.width), height = static_cast<std::size_t>(size_.height);
     std::vector<unsigned char> bytes;
