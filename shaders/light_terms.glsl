@@ -24,7 +24,7 @@
 #endif
 #endif
 #if light.adds_specular && full
-    vec3 shine = light.specular * highlight;
+    vec3 shine = ${light.shine};
 #endif
 #if light.adds_separate_specular && full
     specular += specular_apart ? ${light.specular_sum} : vec3(0.0);

@@ -26,7 +26,9 @@ struct ${array.type} {
     vec3 diffuse; // material times light
 #endif
 #endif
-#if array.specular
+#if array.one_color
+    float specular_share; // the specular light is so many times the diffuse
+#elif array.specular
 #if normalisation_blinn_phong && !full
     vec3 specular; // material times light times (n + 8) / (8 pi)
 #else

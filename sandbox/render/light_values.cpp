@@ -49,6 +49,9 @@ LightValues light_values(const Scene &scene, const ObjectLight &on_object, const
     if (on_object.specular) {
         values.specular = material.specular * light.color * (light.specular * on_object.specular_factor);
     }
+    if (const double most = std::max({values.diffuse.x, values.diffuse.y, values.diffuse.z}); most > 0) {
+        values.specular_share = std::max({values.specular.x, values.specular.y, values.specular.z}) / most;
+    }
     values.half_vector = scene_half_vector(light, scene);
     values.attenuation = scaled(light.attenuation, space.lit_scale);
     if (has_cone(light)) {
@@ -66,12 +69,8 @@ LightValues light_values(const Scene &scene, const ObjectLight &on_object, const
 }
 
 void put_light(UniformSink &sink, const std::string &name, const LightValues &light) {
-    const auto vector = [&](const char *member, const glm::dvec3 &value) {
-        sink.put(name + member, glm::vec3(value));
-    };
-    const auto number = [&](const char *member, double value) {
-        sink.put(name + member, static_cast<float>(value));
-    };
+    const auto vector = [&](const char *member, const glm::dvec3 &value) { sink.put(name + member, glm::vec3(value)); };
+    const auto number = [&](const char *member, double value) { sink.put(name + member, static_cast<float>(value)); };
     vector(".position", light.position);
     vector(".direction", light.direction);
     vector(".ambient", light.ambient);
@@ -79,6 +78,7 @@ void put_light(UniformSink &sink, const std::string &name, const LightValues &li
     vector(".diffuse", light.diffuse);
     vector(".specular", light.specular);
     vector(".half_vector", light.half_vector);
+    number(".specular_share", light.specular_share);
     number(".constant", light.attenuation.constant);
     number(".linear", light.attenuation.linear);
     number(".quadratic", light.attenuation.quadratic);

@@ -12,6 +12,7 @@ struct LightValues {
     glm::dvec3 position{0}; ///< where `space` measures lighting from
     glm::dvec3 direction{0};
     glm::dvec3 ambient{0}, attenuated_ambient{0}, diffuse{0}, specular{0};
+    double specular_share = 0; ///< specular over diffuse, where they have one colour
     glm::dvec3 half_vector{0};
     Attenuation attenuation;
     double cos_cutoff = -2; ///< below every cosine: no cone

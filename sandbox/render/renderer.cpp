@@ -74,6 +74,17 @@ void clear(const Scene &scene, const Canvas &canvas) {
     }
 }
 
+ObjectDraw draw_of(const Scene &scene, std::size_t object, const Mesh &mesh, const PreparedObject &prepared,
+                   const Canvas &canvas) {
+    return {scene,
+            scene.objects[object],
+            mesh,
+            prepared,
+            canvas.size,
+            static_cast<unsigned>(object + 1),
+            canvas.shown ? canvas.shown->exposure : 1};
+}
+
 /// Where a wireframe's lines lie: nearer than the surface that they lie on, by what keeps them in front of it. A line's
 /// pixels lie up to half a pixel beside it, where a surface seen at up to 86 degrees from its normal is nearer by
 /// tan(86 degrees) = 14 times that.
@@ -134,7 +145,8 @@ struct Renderer::Impl {
         const GlProgram &program = programs.get(draw.prepared.program, constants(draw));
         glUseProgram(program.id());
         upload_uniforms(program, draw);
-        if (program.has("base_texture")) { // without one: nothing, for WebGL refuses what was bound, the target itself say
+        if (program.has(
+                "base_texture")) { // without one: nothing, for WebGL refuses what was bound, the target itself say
             glActiveTexture(GL_TEXTURE0);
             glBindTexture(GL_TEXTURE_2D, own.texture != nullptr ? texture(own.texture) : 0);
         }
@@ -178,9 +190,7 @@ struct Renderer::Impl {
         const PassState pass(canvas.framebuffer, canvas.size, DepthTest::on);
         clear(scene, canvas);
         for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-            draw_object({scene, scene.objects[i], *loaded[i].mesh, prepared[i], canvas.size,
-                         static_cast<unsigned>(i + 1), canvas.shown ? canvas.shown->exposure : 1},
-                        loaded[i]);
+            draw_object(draw_of(scene, i, *loaded[i].mesh, prepared[i], canvas), loaded[i]);
         }
         forget_unused();
     }
@@ -256,9 +266,12 @@ void Renderer::draw_shown(const Scene &scene, const Technique &technique, const 
 std::vector<Features> Renderer::missing_programs(const Scene &scene, const Technique &technique, Size size,
                                                  const std::optional<DisplayMap> &map) {
     std::vector<Features> missing;
-    for (const PreparedObject &object : impl_->prepare(scene, technique, {0, size, false, map}, {}).objects) {
-        if (!impl_->programs.has(object.program)) {
-            missing.push_back(object.program);
+    const Canvas canvas{0, size, false, map};
+    const auto [loaded, prepared] = impl_->prepare(scene, technique, canvas, {});
+    for (std::size_t i = 0; i < prepared.size(); ++i) {
+        if (!impl_->programs.has(prepared[i].program,
+                                 Impl::constants(draw_of(scene, i, *loaded[i].mesh, prepared[i], canvas)))) {
+            missing.push_back(prepared[i].program);
         }
     }
     return missing;

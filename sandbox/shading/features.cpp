@@ -4,19 +4,21 @@
 #include "shading/needs.h"
 #include "shading/own_interface.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
-#include <glm/vector_relational.hpp>
+#include <limits>
 
 namespace sandbox {
 namespace {
 
 bool any(const glm::dvec3 &v) { return v != glm::dvec3(0); }
 
-/// Could the light lie on the object? Its position against the mesh's bounds, in object space, with some room.
-bool may_touch(const Light &light, const Object &object, const Mesh &mesh) {
+/// Could a point of the object lie on the line `from` + t `along`, 0 <= t <= `most`? Against the mesh's bounds, in
+/// object space, with some room.
+bool may_cross(const Object &object, const Mesh &mesh, const glm::dvec3 &from, const glm::dvec3 &along, double most) {
     const glm::dmat3 linear = linear_part(object.transform);
     if (std::abs(glm::determinant(linear)) == 0) {
         return true;
@@ -24,8 +26,44 @@ bool may_touch(const Light &light, const Object &object, const Mesh &mesh) {
     const Bounds &bounds = mesh.bounds;
     const glm::dvec3 extent = bounds.high - bounds.low;
     const glm::dvec3 room = 0.01 * extent + glm::dvec3(1e-3 * glm::length(extent)); // flat shapes have some too
-    const glm::dvec3 p = glm::inverse(linear) * (light.position - object.transform.translate);
-    return glm::all(glm::greaterThanEqual(p, bounds.low - room)) && glm::all(glm::lessThanEqual(p, bounds.high + room));
+    const glm::dvec3 start = glm::inverse(linear) * (from - object.transform.translate);
+    const glm::dvec3 step = glm::inverse(linear) * along;
+    double enters = 0, leaves = most;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double low = bounds.low[axis] - room[axis] - start[axis];
+        const double high = bounds.high[axis] + room[axis] - start[axis];
+        if (step[axis] == 0) {
+            if (low > 0 || high < 0) {
+                return false;
+            }
+            continue;
+        }
+        const auto [first, last] = std::minmax({low / step[axis], high / step[axis]});
+        enters = std::max(enters, first);
+        leaves = std::min(leaves, last);
+    }
+    return !(enters > leaves); // bounds that are not finite cross
+}
+
+/// Could the light lie on the object?
+bool may_touch(const Light &light, const Object &object, const Mesh &mesh) {
+    return may_cross(object, mesh, light.position, glm::dvec3(0), 0);
+}
+
+/// Could a point of the object see the light just opposite the viewer? Then it lies between the two.
+bool may_oppose(const Light &light, const Scene &scene, const Technique &technique, const Object &object,
+                const Mesh &mesh) {
+    const CameraAxes axes = camera_axes(scene.camera);
+    constexpr double everywhere = std::numeric_limits<double>::infinity();
+    if (technique.position != LightingPosition::world) {
+        return true;
+    }
+    if (technique.viewer == Viewer::infinite) { // no H of its own for a directional light
+        return !has_position(light) || may_cross(object, mesh, light.position, -axes.forward, everywhere);
+    }
+    return has_position(light)
+               ? may_cross(object, mesh, scene.camera.position, light.position - scene.camera.position, 1)
+               : may_cross(object, mesh, scene.camera.position, -light.direction, everywhere);
 }
 
 void add_light(LightFeatures &f, const ObjectLight &on_object, const Light &light, const Technique &technique) {
@@ -55,6 +93,8 @@ LightFeatures light_features(const std::vector<ObjectLight> &lights, const Scene
         const Light &light = scene.lights[on_object.index];
         add_light(f, on_object, light, technique);
         f.on_surface |= has_position(light) && may_touch(light, object, mesh);
+        f.opposite |= on_object.specular && reflection(technique.model).half_vector &&
+                      may_oppose(light, scene, technique, object, mesh);
     }
     // One light that fades by distance brings all of its kind into the formula, with their own constant.
     const auto any_constant = [&](auto &&is) {
@@ -155,6 +195,9 @@ void derive_highlights(Features &f, const Scene &scene, const Technique &techniq
     if (!f.specular()) {
         f.technique.model = Model::lambert;
         f.technique.gate = Gate::light_facing;
+        for (LightFeatures &light : f.lights) {
+            light.opposite = false;
+        }
         return;
     }
     f.exponent = exponent_kind(technique, f.technique.normals, raised_exponent(scene, technique.model, material));
@@ -163,6 +206,9 @@ void derive_highlights(Features &f, const Scene &scene, const Technique &techniq
         const bool same_everywhere =
             technique.half_vector == HalfVector::constant || (!kind.positional && technique.viewer == Viewer::infinite);
         light.given_half_vector = light.specular && f.uses_half_vector() && same_everywhere;
+        const bool interpolated = technique.frequency == Frequency::interpolated_vectors; // may cancel
+        light.opposite = f.exponent != Exponent::zero && technique.power != Power::naive && light.specular &&
+                         f.uses_half_vector() && (light.opposite || light.given_half_vector || interpolated);
     }
 }
 
@@ -170,7 +216,7 @@ void derive_highlights(Features &f, const Scene &scene, const Technique &techniq
 int whole_exponent(const Features &f, const Technique &technique, double n) {
     const bool by_pow = f.exponent == Exponent::textbook && technique.power != Power::naive;
     const bool whole = n >= 2 && n < stable_power_from && n == std::floor(n);
-    return by_pow && whole && technique.precision == Precision::high ? static_cast<int>(n) : 0;
+    return by_pow && whole ? static_cast<int>(n) : 0;
 }
 
 /// Does the equation read V? What does not is the same program whatever the viewer and the position key say.
@@ -224,6 +270,25 @@ void derive_what_shows(Features &f, const Technique &technique) {
     }
     if (shown.frequency == Frequency::interpolated_vectors && !interpolates_vectors(f)) {
         shown.frequency = Frequency::per_pixel;
+    }
+}
+
+/// Where both terms are added to one sum, one number can stand for the second colour.
+void derive_one_color(Features &f, const Scene &scene, const Material &material, const ObjectLights &lights) {
+    const Technique &shown = f.technique;
+    const bool one_sum = shown.frequency != Frequency::hybrid && (!f.has_base() || f.base_times_specular);
+    const bool rounds_in_order = shown.precision == Precision::medium;
+    const auto has_one_color = [&](const ObjectLight &on_object) {
+        const Light &light = scene.lights[on_object.index];
+        const glm::dvec3 diffuse = material.diffuse * light.color, specular = material.specular * light.color;
+        constexpr double rounding = 1e-12;
+        return on_object.diffuse_factor * light.diffuse > 0 && on_object.specular && any(diffuse) &&
+               glm::length(glm::cross(diffuse, specular)) <= rounding * glm::length(diffuse) * glm::length(specular);
+    };
+    for (const LightKind &kind : light_kinds) {
+        LightFeatures &light = f.lights[kind.type];
+        light.one_color = one_sum && !rounds_in_order && light.diffuse && light.specular &&
+                          std::ranges::all_of(lights.of_kind[kind.type], has_one_color);
     }
 }
 
@@ -309,6 +374,7 @@ Features derive_features(const Scene &scene, const Technique &given, const Objec
     derive_highlights(f, scene, technique, object.material);
     derive_normals(f, technique, object, mesh, space);
     derive_what_shows(f, technique);
+    derive_one_color(f, scene, object.material, lights);
     const bool lights_pixels = technique.frequency == Frequency::per_pixel || technique.frequency == Frequency::hybrid;
     f.wide = lights_pixels && technique.position == LightingPosition::world && is_wide(scene, object, mesh);
     if (technique.program == Program::baked) {
@@ -339,6 +405,7 @@ LightFeatures every_light_feature(const LightKind &kind, const Features &program
     all.ambient = all.diffuse = all.specular = true;
     all.attenuated_ambient = kind.positional || kind.conical;
     all.constant = all.linear = all.quadratic = all.floor = all.on_surface = kind.positional;
+    all.opposite = true;
     all.narrow_cone = all.hard_cone = all.soft_cone = kind.conical;
     all.exponent = all.no_exponent = all.stable_exponent = kind.conical;
     return all;

@@ -21,12 +21,14 @@ struct LightFeatures {
     bool attenuated_ambient = false; ///< an ambient term times attenuation and cone
     bool diffuse = false;
     bool specular = false;
+    bool one_color = false; ///< of each light, specular is so many times diffuse
     bool constant = false; ///< attenuation coefficients that are in use
     bool linear = false;
     bool quadratic = false;
     bool floor = false;             ///< the denominator can fall below its floor
     bool on_surface = false;        ///< a light may lie on the surface: L = N where d = 0
     bool given_half_vector = false; ///< one H per light, the same everywhere
+    bool opposite = false;          ///< a light may stand just opposite the viewer: L = -V, and H = 0
     bool narrow_cone = false;       ///< some cone or soft edge is too narrow for float32 cosines
     bool hard_cone = false;         ///< some cone has a hard edge
     bool soft_cone = false;         ///< some cone has an inner cone

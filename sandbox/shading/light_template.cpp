@@ -4,6 +4,7 @@
 
 #include <cctype>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace sandbox {
 namespace {
@@ -86,7 +87,7 @@ std::pair<std::string, std::string> light_parameters(const LightPart &light, con
 /// Written out where the lights are constants: then the compiler knows each of them.
 bool is_unrolled(const LightPart &light) {
     constexpr int most_lights = 8; // a program's length grows with them
-    return light.program.is_baked() && light.features.count <= most_lights;
+    return light.program.is_baked() && !light.rounded && light.features.count <= most_lights;
 }
 
 /// The function's result: for the light at i, or for all of them.
@@ -100,39 +101,71 @@ std::string calls(const LightPart &light, const TemplateValues &values, bool loo
     return sum_of(terms);
 }
 
-/// The light's terms: what is added outright, and what attenuation and cone multiply.
+/// "light.specular * (a * s * highlight)": colours are multiplied last, by one number.
+std::string times(const std::string &color, const std::vector<std::string> &numbers) {
+    if (numbers.empty()) {
+        return color;
+    }
+    const std::string product = fmt::format("{}", fmt::join(numbers, " * "));
+    return color + " * " + (numbers.size() > 1 ? "(" + product + ")" : product);
+}
+
+/// The light's terms, each times what lessens it. Half-float programs round in the textbook's order: attenuation and
+/// cone multiply the sum.
 void add_sums(TemplateValues &values, const LightPart &light) {
     const LightNeeds &n = light.here;
     const Technique &technique = light.program.technique;
     const bool full = light.program.is_full();
-    std::string times = light.features.attenuated() && n.fades ? "a * " : "";
-    times += n.uses_cone ? "s * " : "";
-    const std::string lit = full || technique.ambient == AmbientWhere::where_lit ? "lit * " : "";
-    std::vector<std::string> faded;
+    std::vector<std::string> fade;
+    if (light.features.attenuated() && n.fades) {
+        fade.emplace_back("a");
+    }
+    if (n.uses_cone) {
+        fade.emplace_back("s");
+    }
+    const auto faded = [&](const std::string &color, const std::string &number) {
+        std::vector<std::string> numbers = light.rounded ? std::vector<std::string>{} : fade;
+        if (!number.empty()) {
+            numbers.push_back(number);
+        }
+        return times(color, numbers);
+    };
+    const bool where_lit = full || technique.ambient == AmbientWhere::where_lit;
+    std::vector<std::string> fading;
     if (n.adds_attenuated_ambient) {
-        faded.push_back(lit + "light.attenuated_ambient");
+        fading.push_back(faded("light.attenuated_ambient", where_lit ? "lit" : ""));
     }
-    if (n.adds_diffuse) {
-        std::string incidence = technique.direction == DirectionSign::travel ? "n_dot_l" : "-n_dot_l";
-        incidence = full ? "direction_unnegated_diffuse ? -n_dot_l : n_dot_l" : incidence;
-        faded.push_back(fmt::format("light.diffuse * max({}, 0.0)", light.kind.positional ? "n_dot_l" : incidence));
+    std::string incidence =
+        technique.direction == DirectionSign::travel || light.kind.positional ? "n_dot_l" : "-n_dot_l";
+    if (full && !light.kind.positional) {
+        incidence = "direction_unnegated_diffuse ? -n_dot_l : n_dot_l";
     }
-    const std::string specular = full ? "shine" : "light.specular * highlight";
-    if (n.adds_specular && !light.stage.separate_specular) {
-        faded.push_back(specular);
-    } else if (n.adds_specular && full) {
-        faded.emplace_back("(specular_apart ? vec3(0.0) : shine)");
+    const std::string facing = fmt::format("max({}, 0.0)", incidence);
+    const std::string specular = full ? "shine" : faded("light.specular", "highlight");
+    if (light.features.one_color && n.adds_diffuse) {
+        fading.push_back(faded("light.diffuse", fmt::format("({} + light.specular_share * highlight)", facing)));
+    } else {
+        if (n.adds_diffuse) {
+            fading.push_back(faded("light.diffuse", facing));
+        }
+        if (n.adds_specular && !light.stage.separate_specular) {
+            fading.push_back(specular);
+        } else if (n.adds_specular && full) {
+            fading.emplace_back("(specular_apart ? vec3(0.0) : shine)");
+        }
     }
+    const std::string before = light.rounded && !fade.empty() ? fmt::format("{} * ", fmt::join(fade, " * ")) : "";
     std::vector<std::string> sum;
     if (n.adds_ambient) {
-        sum.push_back(lit + "light.ambient");
+        sum.push_back(times("light.ambient", where_lit ? std::vector<std::string>{"lit"} : std::vector<std::string>{}));
     }
-    if (!faded.empty()) {
-        sum.push_back(times.empty() ? sum_of(faded) : times + in_brackets(faded));
+    if (!fading.empty()) {
+        sum.push_back(before.empty() ? sum_of(fading) : before + in_brackets(fading));
     }
     add_texts(values, light.kind.word,
               {{"sum", sum_of(sum, "vec3(0.0)")},
-               {"specular_sum", times.empty() || full ? times + specular : times + "(" + specular + ")"}});
+               {"shine", faded("light.specular", "highlight")},
+               {"specular_sum", before.empty() ? specular : before + "(" + specular + ")"}});
 }
 
 } // namespace
@@ -147,6 +180,7 @@ void add_array(TemplateValues &values, const LightKind &kind, const Features &pr
                {"attenuated_ambient", has.attenuated_ambient},
                {"diffuse", has.diffuse},
                {"specular", has.specular},
+               {"one_color", has.one_color},
                {"given_half_vector", has.given_half_vector},
                {"constant", has.constant},
                {"linear", has.linear},

@@ -15,6 +15,7 @@ struct LightPart {
     const StageNeeds &stage;
     const LightFeatures &features;
     const LightNeeds &here; ///< in this stage
+    bool rounded;           ///< its operations are rounded to half, in the textbook's order
 };
 
 /// The array that holds the lights of a kind, and what is interpolated of them.

@@ -189,7 +189,7 @@ inline constexpr TechniqueValue precision_values[]{
 enum class Program { specialised, baked, full };
 inline constexpr TechniqueValue program_values[]{
     {"specialised", "specialised", "only what this scene needs"},
-    {"baked", "baked", "... with lights, material and matrices written in as constants, for as long as nothing moves"},
+    {"baked", "baked", "lights, material and matrices are written in as constants, for as long as nothing moves"},
     {"full", "full", "one program per frequency that branches on uniforms"},
 };
 

@@ -4,6 +4,7 @@
 #include "shading/features.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace sandbox::rules {
 namespace {
@@ -84,7 +85,15 @@ std::string_view needs_rounded_pixels(const Technique &technique) {
     if (!lights_pixels(technique)) {
         return "rounds what is lit per pixel, and this frequency and model light nothing there";
     }
-    return technique.program == Program::full ? "rounds the program of one scene, and program=full is for all" : "";
+    switch (technique.program) {
+    case Program::specialised:
+        return "";
+    case Program::baked:
+        return "rounds every operation, and program=baked has some done beforehand";
+    case Program::full:
+        return "rounds the program of one scene, and program=full is for all";
+    }
+    throw std::logic_error("no such program");
 }
 
 bool has_light(const Scene &scene, const Object &object, const Technique &technique) {

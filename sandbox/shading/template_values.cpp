@@ -79,13 +79,13 @@ std::string color_expression(const Features &f, const ProgramNeeds &needs) {
     return sum_of(plain, "vec3(0.0)");
 }
 
-/// f raised to 2, 4, ... 2^k <= n: "f2 = f * f, f4 = f2 * f2".
-std::string squares(int n) {
+/// f raised to 2 `below`, ... 2^k <= n: "f2 = f * f, f4 = f2 * f2".
+std::string squares(int n, int below = 1) {
     std::vector<std::string> all;
-    std::string below = "f";
-    for (int power = 2; power <= n; power *= 2) {
-        all.push_back(fmt::format("f{0} = {1} * {1}", power, below));
-        below = fmt::format("f{}", power);
+    std::string root = below == 1 ? "f" : fmt::format("f{}", below);
+    for (int power = 2 * below; power <= n; power *= 2) {
+        all.push_back(fmt::format("f{0} = {1} * {1}", power, root));
+        root = fmt::format("f{}", power);
     }
     return fmt::format("{}", fmt::join(all, ", "));
 }
@@ -126,6 +126,8 @@ void add_program(TemplateValues &values, const Features &f, const ProgramNeeds &
          {"reads_exponent",
           (f.exponent == Exponent::textbook && f.whole_exponent == 0) || f.exponent == Exponent::stable},
          {"exponent_whole", f.whole_exponent > 0},
+         {"exponent_odd", f.whole_exponent % 2 == 1},
+         {"exponent_two", f.whole_exponent == 2},
          {"guard_normal", f.guard_normal},
          {"guard_vertex_normal", f.guard_vertex_normal},
          {"emission", f.emission},
@@ -137,7 +139,15 @@ void add_program(TemplateValues &values, const Features &f, const ProgramNeeds &
          {"orthographic", f.orthographic},
          {"wide", f.wide},
          {"mediump", f.mediump}});
-    values.texts.insert({{"flat", needs.attributes.flat ? "flat " : ""},
+    const bool naive = technique.power == Power::naive && !full;
+    const bool half_floats = technique.precision == Precision::medium || f.mediump; // a short H may square to 0
+    const bool opposite = half_floats || std::ranges::any_of(f.lights, &LightFeatures::opposite);
+    values.texts.insert({{"half_vector", naive      ? ""
+                                         : opposite ? ", here of any length. H = N where L = -V"
+                                                    : ", here of any length"},
+                         {"where_H", opposite ? "h2 > 0.0 ? " : ""},
+                         {"else_N", opposite ? " : 1.0" : ""},
+                         {"flat", needs.attributes.flat ? "flat " : ""},
                          {"H", full ? "reflection" : "H"}, // a full program interpolates the one that it needs
                          {"R", full ? "reflection" : "R"},
                          {"vertex.point", needs.attributes.centroid ? "a_centroid" : "a_position"},
@@ -147,6 +157,7 @@ void add_program(TemplateValues &values, const Features &f, const ProgramNeeds &
                                              : full        ? "(off_eye ? eye : vec3(0.0)) - v_position"
                                                            : "-v_position"},
                          {"squares", squares(f.whole_exponent)},
+                         {"squares_of_f2", squares(f.whole_exponent, 2)},
                          {"product", product(f.whole_exponent)},
                          {"fragment.color", color_expression(f, needs)}});
     for (const Model model : all_models) {
@@ -205,7 +216,8 @@ void choose_stage(TemplateValues &values, const Features &f, const ProgramNeeds 
     add_stage(values, f, stage, "stage", !vertex);
     bool declares_lights = false;
     for (const LightKind &kind : light_kinds) {
-        const LightPart part{kind, f, stage, f.lights[kind.type], stage.lights[kind.type]};
+        const bool rounded = !vertex && f.technique.precision == Precision::medium;
+        const LightPart part{kind, f, stage, f.lights[kind.type], stage.lights[kind.type], rounded};
         const bool declared = part.here.any || (vertex && needs.fragment.lights[kind.type].given_any());
         declares_lights |= declared;
         add_flags(values, kind.word, {{"declared", declared}});

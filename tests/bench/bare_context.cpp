@@ -8,11 +8,28 @@
 
 namespace sandbox {
 
-void make_bare_context() {
+namespace {
+
+/// Mesa's surfaceless platform or, of drivers that have none, the first device.
+EGLDisplay initialized_display() {
     const auto platform_display =
         reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
     EGLDisplay display = platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-    eglInitialize(display, nullptr, nullptr);
+    if (eglInitialize(display, nullptr, nullptr) == EGL_FALSE) {
+        const auto query = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
+        EGLDeviceEXT device = nullptr;
+        EGLint devices = 0;
+        query(1, &device, &devices);
+        display = platform_display(EGL_PLATFORM_DEVICE_EXT, device, nullptr);
+        eglInitialize(display, nullptr, nullptr);
+    }
+    return display;
+}
+
+} // namespace
+
+void make_bare_context() {
+    EGLDisplay display = initialized_display();
     eglBindAPI(EGL_OPENGL_API);
     const EGLint any[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_NONE};
     EGLConfig config = nullptr;

@@ -53,6 +53,7 @@ Features highlight_features(Model model, Exponent kind) {
     features.exponent = kind;
     features.lights[LightType::directional].count = 1;
     features.lights[LightType::directional].specular = true;
+    features.lights[LightType::directional].opposite = true; // among the probes are those with L = -V
     return features;
 }
 

@@ -72,12 +72,12 @@ TEST(ProgramText, ABakedProgramMultipliesWholeExponentsAndWritesItsLightsOut) {
     EXPECT_TRUE(has(raised_to(32, "per-pixel/phong:power=naive,program=baked"), "shininess"));
     EXPECT_FALSE(has(raised_to(32), "for (int"));
     EXPECT_TRUE(has(hundred,
-                    "point_light(point_lights[0], v_position, N, R) + point_light(point_lights[1], v_position, N, R)"));
+                    "point_light(point_lights[0], P, N, R) + point_light(point_lights[1], P, N, R)"));
 }
 
 TEST(ProgramText, WhatASceneNeedsIsThere) {
     const std::string text = text_of(named("all"), "per-pixel/blinn-phong");
-    EXPECT_TRUE(has(text, "pow(f, shininess)"));
+    EXPECT_TRUE(has(text, "pow(f2, 0.5 * shininess)"));
     EXPECT_TRUE(has(text, "for (int i = 0; i < 2; ++i)")); // two point lights, two spots
     EXPECT_TRUE(has(text, "the_directional_light"));
     EXPECT_TRUE(has(text, "smoothstep"));
@@ -254,6 +254,9 @@ TEST(ProgramText, DifferentFeaturesGiveDifferentText) {
         std::map<std::string, Features> seen;
         for (const Technique &technique : pairwise_techniques()) {
             Features features = prepare_object(scene, technique, scene.objects[0], mesh).program;
+            if (features.is_baked()) {
+                continue; // what tells it from the specialised program is its constants
+            }
             const ProgramSource source = assemble(features, parts());
             if (!features.specular()) { // power=naive stays though nothing is raised: a program more, and no other
                 features.technique.power = Power::automatic;

@@ -113,7 +113,7 @@ RowErrors errors_from(const Json &json) {
 }
 
 RowGroup group_from(const std::string &name) {
-    constexpr std::array groups{RowGroup::ladder, RowGroup::own_mesh, RowGroup::full_program,
+    constexpr std::array groups{RowGroup::ladder, RowGroup::own_mesh, RowGroup::full_program, RowGroup::baked_program,
                                 RowGroup::power,  RowGroup::claim,    RowGroup::precision};
     const auto found = std::ranges::find(groups, name, [](RowGroup group) { return name_of(group); });
     if (found == groups.end()) {
@@ -240,6 +240,7 @@ Json findings_json(const WorkPrecision &measured) {
             {"pareto", fronts},
             {"cheapest", cheap},
             {"specialisation", ratios_json(ratios_to_base(measured, RowGroup::full_program))},
+            {"baking", ratios_json(ratios_to_base(measured, RowGroup::baked_program))},
             {"power", ratios_json(ratios_to_base(measured, RowGroup::power))},
             {"claims", claims}};
 }

@@ -132,17 +132,26 @@ std::string cheapest_rows(const ReportRun &run) {
                    any ? table.html() : std::string());
 }
 
+/// Full, specialised, baked.
 std::string specialisation(const ReportRun &run) {
     const WorkPrecision &m = run.measured;
-    Table table(heads_of(run.words, {"technique", "specialised_ms", "full_ms", "full_ratio", "saved"}));
-    for (const TimeRatio &times : ratios_to_base(m, RowGroup::full_program)) {
+    Table table(heads_of(run.words,
+                         {"technique", "full_ms", "specialised_ms", "baked_ms", "full_ratio", "baked_ratio", "saved"}));
+    const auto baked = ratios_to_base(m, RowGroup::baked_program);
+    const auto median = [&](std::size_t row) {
+        table.number(m.rows[row].time->median, milliseconds_text(m.rows[row].time->median));
+    };
+    for (const TimeRatio &full : ratios_to_base(m, RowGroup::full_program)) {
+        const auto other = std::ranges::find(baked, full.base, &TimeRatio::base);
         table.begin_row();
-        table.text(technique_code(m.rows[times.base].plan.technique));
-        table.number(m.rows[times.base].time->median, milliseconds_text(m.rows[times.base].time->median));
-        table.number(m.rows[times.row].time->median, milliseconds_text(m.rows[times.row].time->median));
-        table.number(times.median, ratio_text(times));
-        const double saved = 100 * (1 - 1 / times.median);
-        table.number(saved, fmt::format("{} %", std::lround(saved)), times.lower_quartile > 1 ? "good" : "");
+        table.text(technique_code(m.rows[full.base].plan.technique));
+        median(full.row);
+        median(full.base);
+        other != baked.end() ? median(other->row) : table.text("");
+        table.number(full.median, ratio_text(full));
+        other != baked.end() ? table.number(other->median, ratio_text(*other)) : table.text("");
+        const double saved = 100 * (1 - 1 / full.median);
+        table.number(saved, fmt::format("{} %", std::lround(saved)), full.lower_quartile > 1 ? "good" : "");
     }
     return section("specialisation", run.words.text("report.specialisation"),
                    run.words.text("report.specialisation.lead"), table.html());

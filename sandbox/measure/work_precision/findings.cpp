@@ -62,7 +62,8 @@ double value_of(const Norms &norms, ErrorNorm norm) { return quantity_of(norm).v
 std::string_view name_of(Frequency frequency) { return frequency_values[static_cast<std::size_t>(frequency)].name; }
 std::string_view name_of(Model model) { return model_values[static_cast<std::size_t>(model)].name; }
 std::string_view name_of(RowGroup group) {
-    constexpr std::string_view names[]{"ladder", "own-mesh", "full-program", "power", "claim", "precision"};
+    constexpr std::string_view names[]{"ladder", "own-mesh", "full-program", "baked-program",
+                                       "power",  "claim",    "precision"};
     return names[static_cast<std::size_t>(group)];
 }
 std::string_view name_of(Settling settling) {

@@ -118,6 +118,7 @@ void add_variants(Selection &selection) {
             selection.add(changed, group);
         };
         variant(&Technique::program, Program::full, RowGroup::full_program);
+        variant(&Technique::program, Program::baked, RowGroup::baked_program);
         if (t.frequency == Frequency::per_pixel) {
             variant(&Technique::precision, Precision::medium, RowGroup::precision);
         }

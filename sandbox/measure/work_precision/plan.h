@@ -34,7 +34,7 @@ struct PlannedMesh {
 };
 
 /// Why a row is measured.
-enum class RowGroup { ladder, own_mesh, full_program, power, claim, precision };
+enum class RowGroup { ladder, own_mesh, full_program, baked_program, power, claim, precision };
 
 struct PlannedRow {
     std::size_t mesh = 0; ///< index in the meshes

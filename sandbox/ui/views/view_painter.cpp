@@ -16,6 +16,13 @@ namespace {
 /// Whatever shades the surfaces: their depth hides what is drawn over a finished picture.
 constexpr Frequency plainest = Frequency::flat;
 
+/// A window draws what has just moved, and constants would be stale: baked programs are built aside, once it rests, to
+/// be measured.
+Technique while_moving(Technique technique) {
+    technique.program = technique.program == Program::baked ? Program::specialised : technique.program;
+    return technique;
+}
+
 } // namespace
 
 ViewPainter::ViewPainter(const Assets &assets, const Assets &shaders)
@@ -52,7 +59,7 @@ std::optional<SlowPicture> ViewPainter::slow_ahead(const Session &session, bool 
     const ViewSettings view = next_view(session);
     const Scene scene = with_mesh_factor(scene_in_view(next, side.shown.size), next.mesh_factors[right ? 1 : 0]);
     const Overlays overlays = on_surfaces(view.drawn_over, view.layout);
-    const ViewKey key{scene, right ? next.right : next.left, side.shown.size, false, overlays, reloads_};
+    const ViewKey key{scene, while_moving(right ? next.right : next.left), side.shown.size, false, overlays, reloads_};
     const DisplayMap display{next.display, next.exposure};
     auto slow = slow_picture(side, key, reads_light(view) ? std::nullopt : std::optional(display));
     if (slow) {
@@ -321,7 +328,7 @@ void ViewPainter::paint(const Session &session, Size each) {
         const bool textbook = !right && document.left_is_textbook();
         const double factor = document.mesh_factors[right ? 1 : 0];
         const ViewKey key{with_mesh_factor(seen, factor),
-                          session.technique(right),
+                          while_moving(session.technique(right)),
                           each,
                           textbook,
                           on_surfaces(view.drawn_over, view.layout),

@@ -128,7 +128,7 @@ TEST(WorkPrecision, TheSplitTellsCausesApart) {
         const ErrorSplit &split = row.errors->split;
         const Technique &t = row.plan.technique;
         EXPECT_EQ(split.arithmetic.max_abs < 2e-7, row.plan.group != RowGroup::precision)
-            << "the fake rounds to float32 and does nothing else, but for rows in half";
+            << "the fake rounds to float32 and does nothing else, but for rows in half" << to_string(t);
         EXPECT_GT(split.geometry->rmse, 0) << "no mesh is the ball";
         const bool exact = t.frequency == Frequency::per_pixel && row.plan.group != RowGroup::claim;
         EXPECT_EQ(split.interpolation.rmse == 0, exact) << to_string(t);
