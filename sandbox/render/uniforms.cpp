@@ -2,8 +2,8 @@
 
 #include "render/light_values.h"
 #include "scene/space.h"
-#include "shading/own_interface.h"
 #include "shading/light_template.h"
+#include "shading/own_interface.h"
 #include "shading/template_values.h"
 
 #include <cmath>

@@ -22,7 +22,7 @@ struct LightFeatures {
     bool diffuse = false;
     bool specular = false;
     bool one_color = false; ///< of each light, specular is so many times diffuse
-    bool constant = false; ///< attenuation coefficients that are in use
+    bool constant = false;  ///< attenuation coefficients that are in use
     bool linear = false;
     bool quadratic = false;
     bool floor = false;             ///< the denominator can fall below its floor

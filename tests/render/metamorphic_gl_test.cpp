@@ -74,23 +74,26 @@ TEST_F(Metamorphic, BuiltInScenesLookTheSameUnderTheFullProgram) {
     }
 }
 
-/// A baked program folds what it knows and raises by multiplications, which errs by (n - 1) 2^-24; pow() is allowed
-/// 2e-5 + 4e-7 n.
+/// A baked program raises by multiplications, which errs by (n - 1) 2^-24; pow() is allowed 2e-5 + 4e-7 n. It folds what
+/// it knows, which moves every argument by its rounding, 6e-8; the edge of a cone, the steepest thing here, makes up to a
+/// thousand times that of it. As above, textbook power above n = 1024 is excepted.
 TEST_F(Metamorphic, BakedAndSpecialisedProgramGiveTheSamePicture) {
     constexpr Size size{160, 120};
     int compared = 0;
     for (const Scene &scene : feature_scenes()) {
         for (Technique technique : pairwise_techniques()) {
             technique.program = Program::baked;
-            if (why_refused(technique) || technique.power == Power::naive) {
+            const double shininess = scene.objects[0].material.shininess;
+            if (why_refused(technique) || technique.power == Power::naive ||
+                (technique.power == Power::textbook && shininess > 1024)) {
                 continue;
             }
             const Image baked = renderer_.render(scene, technique, size).color;
             technique.program = Program::specialised;
             const Image specialised = renderer_.render(scene, technique, size).color;
             const Difference d = difference(baked, specialised);
-            const double n = std::min(scene.objects[0].material.shininess, stable_power_from);
-            EXPECT_LE(d.largest, (3e-5 + 4e-7 * n) * d.brightest) << scene.name << " " << to_string(technique);
+            const double n = std::min(shininess, stable_power_from);
+            EXPECT_LE(d.largest, (8e-5 + 4e-7 * n) * d.brightest) << scene.name << " " << to_string(technique);
             ++compared;
         }
     }

@@ -71,8 +71,7 @@ TEST(ProgramText, ABakedProgramMultipliesWholeExponentsAndWritesItsLightsOut) {
     EXPECT_TRUE(has(raised_to(1024), "stable_power(0.5"));
     EXPECT_TRUE(has(raised_to(32, "per-pixel/phong:power=naive,program=baked"), "shininess"));
     EXPECT_FALSE(has(raised_to(32), "for (int"));
-    EXPECT_TRUE(has(hundred,
-                    "point_light(point_lights[0], P, N, R) + point_light(point_lights[1], P, N, R)"));
+    EXPECT_TRUE(has(hundred, "point_light(point_lights[0], P, N, R) + point_light(point_lights[1], P, N, R)"));
 }
 
 TEST(ProgramText, WhatASceneNeedsIsThere) {

@@ -193,7 +193,8 @@ TEST(UsableControls, KeysAreNotOfferedWhereTheTechniqueRefusesThem) {
     EXPECT_FALSE(value_open(key_of("renormalize"), 1, scene, parse_technique("per-vertex/phong")));
     EXPECT_FALSE(value_open(key_of("gate"), 2, scene, lambert));
     EXPECT_FALSE(value_open(key_of("attenuation"), 2, scene, parse_technique("interpolated-vectors/phong")));
-    EXPECT_FALSE(value_open(key_of("program"), static_cast<int>(Program::full), scene, parse_technique("per-pixel/phong:attenuation=interpolated")));
+    EXPECT_FALSE(value_open(key_of("program"), static_cast<int>(Program::full), scene,
+                            parse_technique("per-pixel/phong:attenuation=interpolated")));
 }
 
 TEST(UsableControls, ValuesThatNothingShowsHaveNoEffect) {
