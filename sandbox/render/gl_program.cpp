@@ -1,9 +1,9 @@
 #include "render/gl_program.h"
 
+#include "render/gl.h"
 #include "render/gl_state.h"
 
 #include <fmt/format.h>
-#include <glad/gl.h>
 
 #include <vector>
 

@@ -1,6 +1,7 @@
 #include "render/renderer.h"
 
 #include "render/context.h"
+#include "render/gl.h"
 #include "render/gl_state.h"
 #include "render/mesh_buffers.h"
 #include "render/program_cache.h"
@@ -12,7 +13,6 @@
 #include "shading/prepared_object.h"
 #include "shading/vertex_marks.h"
 
-#include <glad/gl.h>
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
@@ -129,7 +129,8 @@ struct Renderer::Impl {
         const GlProgram &program = programs.get(draw.prepared.program);
         glUseProgram(program.id());
         upload_uniforms(program, draw);
-        if (program.has("base_texture")) { // without one: nothing, for WebGL refuses what was bound, the target itself say
+        if (program.has(
+                "base_texture")) { // without one: nothing, for WebGL refuses what was bound, the target itself say
             glActiveTexture(GL_TEXTURE0);
             glBindTexture(GL_TEXTURE_2D, own.texture != nullptr ? texture(own.texture) : 0);
         }
