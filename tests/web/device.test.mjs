@@ -226,4 +226,26 @@ describe('a browser that lacks something says so', () => {
       await page.browserContext().close();
     });
   }
+
+  test('room for uniforms: refused in our words, and no failure of a stability case', async () => {
+    const phone = () => { // what WebGL 2 promises and no more
+      const all = WebGL2RenderingContext.prototype.getParameter;
+      WebGL2RenderingContext.prototype.getParameter = function (name) {
+        return name === this.MAX_FRAGMENT_UNIFORM_VECTORS ? 224 : all.call(this, name);
+      };
+    };
+    const name = 'magnitude-64-lights-of-1e4';
+    const run = await runCommand(browser, host.address, ['stability', '--out', 's', '--case', name], {}, phone);
+    assert.equal(run.code, 0, run.notes.join('\n'));
+    const sentence = /the fragment stage needs room for \d{3} uniform vectors, and this device has 224: try fewer lights/;
+    assert.match(run.printed, sentence);
+    await run.close();
+    const lights = [...Array(64)].map(() => ({type: 'spot', position: [0, 0, 3], direction: [0, 0, -1]}));
+    const scene = {'/home/web_user/a.json': JSON.stringify({lights, objects: [{mesh: {shape: 'sphere'}}]})};
+    const words = ['capture', 'a.json', '--technique', 'per-pixel/phong:program=full', '--out', 'a.png'];
+    const capture = await runCommand(browser, host.address, words, scene, phone);
+    assert.equal(capture.code, 3);
+    assert.match(capture.notes.join('\n'), sentence);
+    await capture.close();
+  });
 });
