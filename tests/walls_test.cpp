@@ -59,7 +59,7 @@ const std::vector<Library> libraries = {
     {"glm/.*", {}},
     {"fmt/.*", {}},
     {"(unistd|fcntl|malloc|poll|termios|spawn)\\.h|sys/.*", {}},
-    {"glad/.*|EGL/.*|dlfcn\\.h", {"render"}},
+    {"glad/.*|GLES3/.*|EGL/.*|dlfcn\\.h", {"render"}},
     {"GLFW/.*", {"render", "ui"}},
     {"emscripten.*", {"image", "render", "ui"}},
     {"imstb_truetype\\.h", {"image"}},

@@ -18,7 +18,8 @@ foreach(target glm::glm nlohmann_json::nlohmann_json CLI11::CLI11)
   add_library(${target} INTERFACE IMPORTED GLOBAL)
   target_link_libraries(${target} INTERFACE web_headers)
 endforeach()
-foreach(target Threads::Threads OpenGL::EGL glfw) # none: one thread, the browser's canvas; of GLFW the names of keys
+# None: one thread, the browser's canvas, WebGL's functions linked; of GLFW the names of keys.
+foreach(target Threads::Threads OpenGL::EGL glfw glad::gl33)
   add_library(${target} INTERFACE IMPORTED GLOBAL)
 endforeach()
 

@@ -1,6 +1,7 @@
 #include "capture/samples.h"
 
 #include "image/error.h"
+#include "image/thread.h"
 
 #include <cmath>
 #include <vector>
@@ -41,6 +42,7 @@ Image draw_samples(const Scene &scene, Size size, int count, const std::function
         const glm::dvec2 offset = sample_offset(i, count);
         shifted.camera.picture_shift = {-2 * offset.x / size.width, 2 * offset.y / size.height};
         const Image sample = draw(shifted);
+        let_others_run();
         for (std::size_t k = 0; k < sums.size(); ++k) {
             sums[k] += glm::dvec4(sample.pixels[k]);
         }

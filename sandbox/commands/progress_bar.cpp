@@ -1,5 +1,7 @@
 #include "commands/progress_bar.h"
 
+#include "image/thread.h"
+
 #include <algorithm>
 #include <cstdio>
 #include <fmt/format.h>
@@ -23,6 +25,7 @@ ProgressBar::~ProgressBar() {
 }
 
 void ProgressBar::report(double share) {
+    let_others_run();
     if (Clock::now() < next_ || (share >= 1 && !shown_)) {
         return;
     }

@@ -1,6 +1,7 @@
 #include "image/image.h"
 
 #include "image/srgb.h"
+#include "image/thread.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,6 +43,7 @@ Image decoded_srgb(Image image) {
 ByteImage to_display(const Image &image, Display display, double exposure) {
     ByteImage out{image.size, {}};
     out.rgb.reserve(image.pixels.size() * 3);
+    let_others_run();
     for (const glm::vec4 &pixel : image.pixels) {
         if (!finite(pixel)) {
             out.rgb.insert(out.rgb.end(), {255, 0, 255});

@@ -2,6 +2,7 @@
 
 #include "image/error.h"
 #include "image/png_chunks.h"
+#include "image/thread.h"
 
 #include <cstdint>
 #include <cstdlib>
@@ -43,12 +44,28 @@ void check(int error, std::string_view name) {
     }
 }
 
+/// Row after row into `pixels`, `length` bytes for `rows` of them.
+void decode_rows(spng_ctx *decoder, spng_format format, int flags, void *pixels, std::size_t length, std::size_t rows,
+                 std::string_view name) {
+    check(spng_decode_image(decoder, nullptr, 0, format, flags | SPNG_DECODE_PROGRESSIVE), name);
+    const std::size_t row_length = length / rows;
+    int error = SPNG_OK;
+    while (error == SPNG_OK) {
+        spng_row_info row{};
+        check(spng_get_row_info(decoder, &row), name);
+        error = spng_decode_row(decoder, static_cast<unsigned char *>(pixels) + row.row_num * row_length, row_length);
+        let_others_run();
+    }
+    check(error == SPNG_EOI ? SPNG_OK : error, name);
+}
+
 /// The pixels as red, green, blue and opacity. `format`: SPNG_FMT_RGBA8 or SPNG_FMT_RGBA16.
-template <class Sample> std::vector<Sample> decode_rgba(spng_ctx *decoder, spng_format format, std::string_view name) {
+template <class Sample>
+std::vector<Sample> decode_rgba(spng_ctx *decoder, spng_format format, std::size_t rows, std::string_view name) {
     std::size_t length = 0;
     check(spng_decoded_image_size(decoder, format, &length), name);
     std::vector<Sample> rgba(length / sizeof(Sample));
-    check(spng_decode_image(decoder, rgba.data(), length, format, SPNG_DECODE_TRNS), name);
+    decode_rows(decoder, format, SPNG_DECODE_TRNS, rgba.data(), length, rows, name);
     return rgba;
 }
 
@@ -58,7 +75,7 @@ std::vector<unsigned char> decode_palette(spng_ctx *decoder, const spng_ihdr &he
     std::size_t length = 0;
     check(spng_decoded_image_size(decoder, SPNG_FMT_RAW, &length), name);
     std::vector<unsigned char> packed(length);
-    check(spng_decode_image(decoder, packed.data(), length, SPNG_FMT_RAW, 0), name);
+    decode_rows(decoder, SPNG_FMT_RAW, 0, packed.data(), length, header.height, name);
     spng_plte palette{};
     check(spng_get_plte(decoder, &palette), name);
     spng_trns opacity{};
@@ -70,6 +87,7 @@ std::vector<unsigned char> decode_palette(spng_ctx *decoder, const spng_ihdr &he
     const unsigned depth = header.bit_depth;
     const std::size_t row = length / header.height;
     for (std::size_t y = 0; y < header.height; ++y) {
+        let_others_run();
         for (std::size_t x = 0; x < header.width; ++x) {
             const std::size_t bit = x * depth;
             const unsigned byte = packed[y * row + bit / 8];
@@ -125,9 +143,10 @@ Image decode_png(std::string_view bytes, std::string_view name) {
     if (header.color_type == SPNG_COLOR_TYPE_INDEXED) {
         image = from_bytes(size, decode_palette(decoder.get(), header, name).data(), 4);
     } else if (header.bit_depth == 16) {
-        image = from_words(size, decode_rgba<std::uint16_t>(decoder.get(), SPNG_FMT_RGBA16, name));
+        image = from_words(size, decode_rgba<std::uint16_t>(decoder.get(), SPNG_FMT_RGBA16, header.height, name));
     } else {
-        image = from_bytes(size, decode_rgba<unsigned char>(decoder.get(), SPNG_FMT_RGBA8, name).data(), 4);
+        image =
+            from_bytes(size, decode_rgba<unsigned char>(decoder.get(), SPNG_FMT_RGBA8, header.height, name).data(), 4);
     }
     spng_trns opacity{};
     if (has_png_chunk(bytes, "tRNS") && spng_get_trns(decoder.get(), &opacity) != SPNG_OK) {
@@ -152,8 +171,15 @@ std::string encode_png(const ByteImage &image) {
     check(spng_set_option(encoder.get(), SPNG_ENCODE_TO_BUFFER, 1), "PNG");
     check(spng_set_option(encoder.get(), SPNG_IMG_COMPRESSION_LEVEL, 3), "PNG"); // half the time, a fifth more bytes
     check(spng_set_ihdr(encoder.get(), &header), "PNG");
-    check(spng_encode_image(encoder.get(), image.rgb.data(), image.rgb.size(), SPNG_FMT_PNG, SPNG_ENCODE_FINALIZE),
+    check(spng_encode_image(encoder.get(), nullptr, 0, SPNG_FMT_PNG, SPNG_ENCODE_PROGRESSIVE | SPNG_ENCODE_FINALIZE),
           "PNG");
+    const std::size_t row = std::size_t{3} * header.width;
+    for (std::size_t y = 0; y < header.height; ++y) {
+        let_others_run();
+        const int end = y + 1 < header.height ? SPNG_OK : SPNG_EOI;
+        const int error = spng_encode_row(encoder.get(), image.rgb.data() + y * row, row);
+        check(error == end ? SPNG_OK : error, "PNG");
+    }
     std::size_t length = 0;
     int error = SPNG_OK;
     const std::unique_ptr<void, decltype(&std::free)> bytes(spng_get_png_buffer(encoder.get(), &length, &error),

@@ -1,7 +1,11 @@
 #include "image/system_font.h"
 
 #include "image/file_io.h"
+#ifdef __EMSCRIPTEN__
+#include "image/page_glyph.h"
+#endif
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <string>
@@ -56,23 +60,25 @@ struct Outlines {
 };
 
 /// Null: there is none.
+std::unique_ptr<const Outlines> read_outlines(const std::optional<FontFile> &file) {
+    if (!file) {
+        return nullptr;
+    }
+    auto font = std::make_unique<Outlines>();
+    font->bytes = read_file(file->path);
+    const auto *data = reinterpret_cast<const unsigned char *>(font->bytes.data());
+    const int offset = stbtt_GetFontOffsetForIndex(data, file->index);
+    return offset >= 0 && stbtt_InitFont(&font->info, data, offset) != 0 ? std::move(font) : nullptr;
+}
+
 const Outlines *outlines() {
-    static const std::unique_ptr<const Outlines> loaded = []() -> std::unique_ptr<const Outlines> {
-        if (!chinese_font()) {
-            return nullptr;
-        }
-        auto font = std::make_unique<Outlines>();
-        font->bytes = read_file(chinese_font()->path);
-        const auto *data = reinterpret_cast<const unsigned char *>(font->bytes.data());
-        const int offset = stbtt_GetFontOffsetForIndex(data, chinese_font()->index);
-        return offset >= 0 && stbtt_InitFont(&font->info, data, offset) != 0 ? std::move(font) : nullptr;
-    }();
+    static const std::unique_ptr<const Outlines> loaded = read_outlines(chinese_font());
     return loaded.get();
 }
 
 /// 0: there is none.
-int glyph_of(char32_t character) {
-    return outlines() == nullptr ? 0 : stbtt_FindGlyphIndex(&outlines()->info, static_cast<int>(character));
+int glyph_of(char32_t character, const Outlines *font = outlines()) {
+    return font == nullptr ? 0 : stbtt_FindGlyphIndex(&font->info, static_cast<int>(character));
 }
 
 float scale_for(double height) {
@@ -123,20 +129,47 @@ char32_t take_character(std::string_view &text) {
     return character;
 }
 
-std::optional<double> chinese_advance(char32_t character, double height) {
+bool in_text_font(char32_t character) {
+#ifdef __EMSCRIPTEN__ // a part of the font, without most of the ranges
+    static const std::unique_ptr<const Outlines> text = read_outlines(find_font({{"DejaVuSans.ttf"}}));
+    return glyph_of(character, text.get()) != 0;
+#else
+    return std::ranges::any_of(
+        text_ranges, [&](const auto &range) { return character >= range.front() && character <= range.back(); });
+#endif
+}
+
+std::optional<GlyphPicture> browser_glyph([[maybe_unused]] char32_t character, [[maybe_unused]] double height) {
+#ifdef __EMSCRIPTEN__
+    if (glyph_of(character) == 0) {
+        return page_glyph(character, height);
+    }
+#endif
+    return std::nullopt;
+}
+
+std::optional<double> font_advance(char32_t character, double height) {
     const int glyph = glyph_of(character);
     if (glyph == 0) {
+#ifdef __EMSCRIPTEN__
+        return page_glyph_advance(character, height);
+#else
         return std::nullopt;
+#endif
     }
     int advance = 0;
     stbtt_GetGlyphHMetrics(&outlines()->info, glyph, &advance, nullptr);
     return static_cast<double>(static_cast<float>(advance) * scale_for(height));
 }
 
-std::optional<GlyphPicture> chinese_glyph(char32_t character, double height) {
+std::optional<GlyphPicture> font_glyph(char32_t character, double height) {
     const int glyph = glyph_of(character);
     if (glyph == 0) {
-        return std::nullopt;
+        std::optional<GlyphPicture> drawn = browser_glyph(character, height);
+        if (drawn) {
+            drawn->y += std::round(baseline * height);
+        }
+        return drawn;
     }
     const float scale = scale_for(height);
     GlyphPicture picture;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <initializer_list>
 #include <memory>
@@ -24,14 +25,30 @@ constexpr char32_t first_chinese = 0x2E80;
 /// The next character of UTF-8, which loses its bytes; U+FFFD for a byte that is none. `text` must not be empty.
 char32_t take_character(std::string_view &text);
 
-/// A glyph of chinese_font(), rendered: how far (x, y) lies from the pen, y down from the top of the line.
+/// What the fonts of text and code are asked for, first and last: Latin, Greek, Cyrillic (names of files may hold
+/// them), punctuation, arrows, signs.
+constexpr std::array<std::array<char32_t, 2>, 7> text_ranges{{{0x0020, 0x024F},
+                                                              {0x0370, 0x03FF},
+                                                              {0x0400, 0x04FF},
+                                                              {0x2010, 0x2027},
+                                                              {0x2030, 0x203A},
+                                                              {0x2190, 0x2199},
+                                                              {0x2212, 0x2212}}};
+/// Whether they are asked for `character`; in a page, whether they have it.
+bool in_text_font(char32_t character);
+
+/// A glyph, rendered: how far (x, y) lies from the pen, y down from the top of the line.
 struct GlyphPicture {
     int width = 0, height = 0;
     double x = 0, y = 0;
     std::vector<unsigned char> cover; ///< rows from the top, 255: whole
 };
-/// Ideographs are as wide as the line is high (in pixels). Null: there is no font, or it lacks the character.
-std::optional<double> chinese_advance(char32_t character, double height);
-std::optional<GlyphPicture> chinese_glyph(char32_t character, double height);
+/// Of chinese_font(), else in a page as the browser draws it. Ideographs are as wide as the line is high (in pixels).
+/// Null: neither has the character.
+std::optional<double> font_advance(char32_t character, double height);
+std::optional<GlyphPicture> font_glyph(char32_t character, double height);
+/// What chinese_font() lacks, as the browser draws it; y is from the baseline. Null outside a
+/// page.
+std::optional<GlyphPicture> browser_glyph(char32_t character, double height);
 
 } // namespace sandbox

@@ -136,8 +136,8 @@ char stroke_character(char32_t character) { return character < 0x80 ? static_cas
 
 /// In glyph units.
 double advance(char32_t character, double height) {
-    const auto chinese = character >= first_chinese ? chinese_advance(character, height) : std::nullopt;
-    return chinese ? *chinese * glyph_top / height : advance(strokes_of(stroke_character(character)));
+    const auto other = character >= 0x80 ? font_advance(character, height) : std::nullopt;
+    return other ? *other * glyph_top / height : advance(strokes_of(stroke_character(character)));
 }
 
 void add_glyph(Mask &mask, const GlyphPicture &glyph, double x, double y) {
@@ -170,9 +170,9 @@ void draw_text(ByteImage &image, double x, double y, double height, std::string_
     double pen = x + stroke_radius * scale;
     while (!text.empty()) {
         const char32_t character = take_character(text);
-        if (const auto glyph = character >= first_chinese ? chinese_glyph(character, height) : std::nullopt) {
+        if (const auto glyph = character >= 0x80 ? font_glyph(character, height) : std::nullopt) {
             add_glyph(mask, *glyph, pen, y);
-            pen += *chinese_advance(character, height);
+            pen += *font_advance(character, height);
             continue;
         }
         const std::vector<Polyline> strokes = strokes_of(stroke_character(character));

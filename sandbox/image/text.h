@@ -11,8 +11,8 @@ namespace sandbox {
 double text_width(std::string_view text, double height);
 
 /// Writes `text` in the project's own stroke font, anti-aliased at any height, clipped to the picture.
-/// (x, y): top left corner of the line, in pixels. ASCII, and what an installed Chinese font has; anything else is
-/// drawn as '?'.
+/// (x, y): top left corner of the line, in pixels. ASCII, and what an installed Chinese font or a page's browser
+/// has; anything else is drawn as '?'.
 void draw_text(ByteImage &image, double x, double y, double height, std::string_view text,
                std::array<std::uint8_t, 3> color = {255, 255, 255});
 

@@ -1,12 +1,19 @@
 // What the window's host (ui/page_host.cpp) and loop (ui/page_window.cpp) ask of the browser. What it hands over goes
 // to the exported functions of page_host.cpp.
 addToLibrary({
-  $page__deps: ['$stringToNewUTF8', 'free'],
+  $page__deps: ['$stringToNewUTF8', 'free', '$GL'],
   $page: {
     host: 0, window: 0,
     wake: null,  // ends the loop's waiting
     woken: false,
     canvas: () => document.getElementById('canvas'),
+    // A canvas has lost what was drawn with: one that is still used, for there may be but few.
+    lost(event) {
+      event.preventDefault();
+      if (GL.contexts.some(context => context?.GLctx.canvas === event.target)) {
+        Module.lostContext();
+      }
+    },
     // Calls an exported function with a text.
     tell(call, text) {
       const copy = stringToNewUTF8(text);
@@ -43,7 +50,9 @@ addToLibrary({
       _page_resize(host, canvas.width, canvas.height, density());
     };
     new ResizeObserver(resize).observe(canvas);
-    window.addEventListener('resize', resize); // of the density alone
+    const watchDensity = () => window.matchMedia(`(resolution: ${density()}dppx)`)
+      .addEventListener('change', () => { resize(); watchDensity(); }, {once: true});
+    watchDensity();
     resize();
 
     // Mouse, pen and fingers. Two fingers pinch: the wheel.
@@ -158,15 +167,15 @@ addToLibrary({
     const chooser = document.getElementById('chooser');
     chooser.addEventListener('change', () => take([...chooser.files]).then(() => { chooser.value = ''; }));
 
-    canvas.addEventListener('webglcontextlost', event => {
-      event.preventDefault();
-      Module.lostContext();
-    });
+    canvas.addEventListener('webglcontextlost', page.lost);
     document.addEventListener('fullscreenchange', resize);
   },
 
-  page_add_canvas__deps: ['$specialHTMLTargets', '$UTF8ToString'],
-  page_add_canvas: name => { specialHTMLTargets[UTF8ToString(name)] = new OffscreenCanvas(1, 1); },
+  page_add_canvas__deps: ['$page', '$specialHTMLTargets', '$UTF8ToString'],
+  page_add_canvas: name => {
+    const canvas = specialHTMLTargets[UTF8ToString(name)] = new OffscreenCanvas(1, 1);
+    canvas.addEventListener('webglcontextlost', page.lost);
+  },
 
   page_wake__deps: ['$page'],
   page_wake: () => {

@@ -1,7 +1,7 @@
 # The page: one HTML file that holds everything, and the same as HTML and WebAssembly.
 set(page ${CMAKE_CURRENT_LIST_DIR})
 
-# Only the characters that the program's words need, and Latin, Greek and signs: others are shown as "?".
+# Only the characters that the program's words need, and Latin, Greek and signs: the browser draws the others.
 set(fonts ${CMAKE_CURRENT_BINARY_DIR}/fonts)
 add_custom_command(
   OUTPUT ${fonts}/DejaVuSans.ttf
@@ -12,11 +12,11 @@ add_custom_command(
 add_custom_target(page_fonts DEPENDS ${fonts}/DejaVuSans.ttf)
 add_dependencies(shading-sandbox page_fonts)
 
-set(scripts ${page}/threads.js ${page}/browser.js)
+set(scripts ${page}/threads.js ${page}/glyphs.js ${page}/browser.js)
 list(TRANSFORM scripts PREPEND "--js-library=" OUTPUT_VARIABLE libraries)
 target_link_options(shading-sandbox PRIVATE ${libraries} --pre-js=${page}/start.js --embed-file=${fonts}@/usr/share/fonts
   -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=2GB -sINITIAL_MEMORY=64MB -sSTACK_SIZE=2MB -sENVIRONMENT=web -sFORCE_FILESYSTEM=1
-  -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2 -sGL_ENABLE_GET_PROC_ADDRESS=1
+  -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2
   -sEXPORTED_RUNTIME_METHODS=FS,stringToNewUTF8 -sINCOMING_MODULE_JS_API=instantiateWasm,arguments,print,printErr,preRun,canvas,onAbort)
 set_target_properties(shading-sandbox PROPERTIES LINK_DEPENDS "${scripts};${page}/start.js;${fonts}/DejaVuSans.ttf")
 

@@ -69,6 +69,13 @@ Module.keepAll = () => {
 };
 // Everything that was drawn is gone: begin again with what was shown, but without own shading, which may be why.
 Module.lostContext = () => {
+  if (Module.beginsAgain) { // another canvas has lost its own, too
+    return;
+  }
+  if (!Module.keep) {
+    return Module.fail('The browser has taken WebGL away. Reload the page.');
+  }
+  Module.beginsAgain = true;
   Module.keepAll();
   const state = JSON.parse(Module.store.get('state') ?? '{}');
   const own = state.techniques?.find(technique => technique.own !== undefined);

@@ -1,8 +1,7 @@
 #include "render/blit.h"
 
+#include "render/gl.h"
 #include "render/gl_object.h"
-
-#include <glad/gl.h>
 
 namespace sandbox {
 

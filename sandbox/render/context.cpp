@@ -1,9 +1,8 @@
 #include "render/context.h"
 
 #include "image/error.h"
+#include "render/gl.h"
 #include "render/gl_state.h"
-
-#include <glad/gl.h>
 
 #include <algorithm>
 #include <array>
@@ -19,7 +18,7 @@ std::string gl_string(unsigned name) {
     return text != nullptr ? text : "unknown";
 }
 
-#ifndef NDEBUG
+#if !defined(NDEBUG) && !defined(__EMSCRIPTEN__)
 void GLAD_API_PTR print_message(GLenum, GLenum type, GLuint, GLenum, GLsizei, const char *message, const void *) {
     if (type == GL_DEBUG_TYPE_ERROR || type == GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR) {
         std::cerr << "OpenGL: " << message << '\n';
@@ -36,8 +35,10 @@ void listen_to_debug_messages() {
 #endif
 
 #ifdef __EMSCRIPTEN__
+constexpr bool in_browser = true;
 constexpr unsigned renderer_name = 0x9246; // WebGL's GL_RENDERER says the browser's name
 #else
+constexpr bool in_browser = false;
 constexpr unsigned renderer_name = GL_RENDERER;
 #endif
 
@@ -47,7 +48,9 @@ std::string_view name_of(Profile profile) { return profile == Profile::es ? "Ope
 
 Profile current_profile() { return is_es() ? Profile::es : Profile::core; }
 
-void Context::load_functions(Profile profile, void (*(*get_proc_address)(const char *))()) {
+void Context::load_functions([[maybe_unused]] Profile profile,
+                             [[maybe_unused]] void (*(*get_proc_address)(const char *))()) {
+#ifndef __EMSCRIPTEN__
     const bool es = profile == Profile::es;
     const int version = es ? gladLoadGLES2(get_proc_address) : gladLoadGL(get_proc_address);
     if (version < (es ? GLAD_MAKE_VERSION(3, 0) : GLAD_MAKE_VERSION(3, 3))) {
@@ -55,14 +58,17 @@ void Context::load_functions(Profile profile, void (*(*get_proc_address)(const c
                            version == 0 ? "none" : gl_string(GL_VERSION) + " by " + gl_string(GL_RENDERER),
                            opengl_install_hint);
     }
-    for (const char *extension : {"GL_EXT_color_buffer_float", "GL_OES_texture_float_linear"}) {
-        if (es && !has_gl_extension(extension)) {
-            throw MachineError("this OpenGL ES lacks {}, without which light cannot be kept as float32", extension);
-        }
-    }
 #ifndef NDEBUG
     listen_to_debug_messages();
 #endif
+#endif
+    for (const char *extension : {"GL_EXT_color_buffer_float", "GL_OES_texture_float_linear"}) {
+        if (is_es() && !has_gl_extension(extension)) {
+            throw MachineError("this {} lacks {}, without which light cannot be kept as float32: try {}",
+                               in_browser ? "browser's WebGL" : "OpenGL ES", extension,
+                               in_browser ? "another browser, a newer one, or another device" : "--profile core");
+        }
+    }
 }
 
 std::string Context::renderer() const { return gl_string(renderer_name); }

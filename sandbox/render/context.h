@@ -73,7 +73,8 @@ class Context {
 
   protected:
     Context() = default;
-    /// Loads the functions of the current context. Throws MachineError below what the profile asks for.
+    /// Loads the functions of the current context; a page's are linked. Throws MachineError below what the profile asks
+    /// for.
     static void load_functions(Profile profile, void (*(*get_proc_address)(const char *))());
 };
 

@@ -1,9 +1,8 @@
 #include "render/display_pass.h"
 
+#include "render/gl.h"
 #include "render/gl_state.h"
 #include "shading/template.h"
-
-#include <glad/gl.h>
 
 #include <algorithm>
 #include <cmath>

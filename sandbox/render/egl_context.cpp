@@ -1,11 +1,11 @@
 #include "render/egl_context.h"
 
 #include "image/error.h"
+#include "render/gl.h"
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <fmt/format.h>
-#include <glad/gl.h>
 
 #include <array>
 #include <cstring>

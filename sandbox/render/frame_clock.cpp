@@ -1,9 +1,9 @@
 #include "render/frame_clock.h"
 
+#include "render/gl.h"
 #include "render/gl_state.h"
 
 #include <chrono>
-#include <glad/gl.h>
 
 namespace sandbox {
 

@@ -1,9 +1,9 @@
 #include "render/gl_object.h"
 
 #include "image/error.h"
+#include "render/gl.h"
 
 #include <fmt/format.h>
-#include <glad/gl.h>
 
 namespace sandbox {
 namespace {

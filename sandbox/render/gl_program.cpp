@@ -1,9 +1,11 @@
 #include "render/gl_program.h"
 
+#include "image/device_limit.h"
+#include "render/gl.h"
 #include "render/gl_state.h"
+#include "shading/uniform_room.h"
 
 #include <fmt/format.h>
-#include <glad/gl.h>
 
 #include <vector>
 
@@ -33,6 +35,21 @@ ShaderObject compile(GLenum stage, const StageSource &source) {
         throw ShaderError(map_log(info_log(shader.id(), glGetShaderiv, glGetShaderInfoLog), source));
     }
     return shader;
+}
+
+/// Before a driver says so in its own words, or not at all.
+void check_uniform_room(const ProgramSource &source) {
+    const auto check = [](std::string_view name, const StageSource &stage, GLenum es_vectors, GLenum components) {
+        GLint available = 0;
+        glGetIntegerv(is_es() ? es_vectors : components, &available);
+        const std::string refusal =
+            uniform_refusal(name, uniform_vectors(stage.text), is_es() ? available : available / 4);
+        if (!refusal.empty()) {
+            throw DeviceLimitError(refusal);
+        }
+    };
+    check("vertex", source.vertex, GL_MAX_VERTEX_UNIFORM_VECTORS, GL_MAX_VERTEX_UNIFORM_COMPONENTS);
+    check("fragment", source.fragment, GL_MAX_FRAGMENT_UNIFORM_VECTORS, GL_MAX_FRAGMENT_UNIFORM_COMPONENTS);
 }
 
 std::map<std::string, int, std::less<>> active_uniforms(unsigned program) {
@@ -70,6 +87,7 @@ void require_es(const ProgramSource &source) {
 }
 
 GlProgram::GlProgram(const ProgramSource &source) : program_(make_program()) {
+    check_uniform_room(source);
     const ShaderObject vertex = compile(GL_VERTEX_SHADER, is_es() ? in_es(source.vertex) : source.vertex);
     const ShaderObject fragment = compile(GL_FRAGMENT_SHADER, is_es() ? in_es(source.fragment) : source.fragment);
     glAttachShader(id(), vertex.id());

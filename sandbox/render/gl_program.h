@@ -21,7 +21,7 @@ struct ShaderError : std::runtime_error {
 /// A linked program and the locations of its active uniforms.
 class GlProgram {
   public:
-    /// Throws ShaderError.
+    /// Throws ShaderError, or DeviceLimitError where the device has too little room for the uniforms.
     explicit GlProgram(const ProgramSource &source);
 
     [[nodiscard]] unsigned id() const { return program_.id(); }

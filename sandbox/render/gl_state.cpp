@@ -1,9 +1,9 @@
 #include "render/gl_state.h"
 
 #include "image/error.h"
+#include "render/gl.h"
 
 #include <fmt/format.h>
-#include <glad/gl.h>
 
 namespace sandbox {
 namespace {
@@ -34,7 +34,11 @@ PassState::PassState(unsigned framebuffer, Size size, DepthTest depth_test) {
 
 PassState::~PassState() { set_defaults(); }
 
+#ifdef __EMSCRIPTEN__
+bool is_es() { return true; }
+#else
 bool is_es() { return GLAD_GL_ES_VERSION_3_0 != 0; }
+#endif
 
 /// A browser's glFinish() waits for nothing, so a pixel is read there.
 void finish_drawing() {

@@ -1,9 +1,9 @@
 #include "render/mesh_buffers.h"
 
+#include "render/gl.h"
 #include "render/gl_state.h"
 
 #include <fmt/format.h>
-#include <glad/gl.h>
 
 #include <algorithm>
 #include <array>

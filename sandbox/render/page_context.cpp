@@ -62,7 +62,7 @@ template <class Kind> class CanvasContext final : public Context {
   public:
     template <class... Name> explicit CanvasContext(Name... name) : canvas_(name...) {
         canvas_.use();
-        load_functions(Profile::es, function_named);
+        load_functions(Profile::es, nullptr);
     }
     void make_current() const override { canvas_.use(); }
     [[nodiscard]] std::unique_ptr<WorkerContext> make_worker() const override {
@@ -72,11 +72,6 @@ template <class Kind> class CanvasContext final : public Context {
     }
 
   private:
-    using Function = void (*)();
-    static Function function_named(const char *name) {
-        return reinterpret_cast<Function>(emscripten_webgl_get_proc_address(name));
-    }
-
     Kind canvas_;
 };
 

@@ -1,6 +1,6 @@
 #include "render/program_cache.h"
 
-#include "image/error.h"
+#include "image/device_limit.h"
 #include "shading/template.h"
 
 #include <algorithm>
@@ -22,6 +22,8 @@ void ProgramCache::build(Entry &entry, const Key &key) {
         entry.program = std::make_shared<const GlProgram>(source);
         entry.last_good = false;
         ++built_;
+    } catch (const DeviceLimitError &) { // no text is at fault
+        throw;
     } catch (const std::exception &failure) { // ShaderError, or a part's directive that does not read
         error_ = failure.what();
         if (entry.program == nullptr && features.is_own()) {

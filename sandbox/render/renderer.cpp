@@ -1,6 +1,7 @@
 #include "render/renderer.h"
 
 #include "render/context.h"
+#include "render/gl.h"
 #include "render/gl_state.h"
 #include "render/mesh_buffers.h"
 #include "render/program_cache.h"
@@ -12,7 +13,6 @@
 #include "shading/prepared_object.h"
 #include "shading/vertex_marks.h"
 
-#include <glad/gl.h>
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>

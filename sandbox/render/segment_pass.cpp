@@ -1,6 +1,6 @@
 #include "render/segment_pass.h"
 
-#include <glad/gl.h>
+#include "render/gl.h"
 
 #include <cstddef>
 #include <utility>

@@ -1,10 +1,10 @@
 #include "render/target.h"
 
 #include "image/error.h"
+#include "render/gl.h"
 #include "render/gl_state.h"
 
 #include <fmt/format.h>
-#include <glad/gl.h>
 
 #include <algorithm>
 #include <array>

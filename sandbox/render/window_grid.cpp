@@ -1,6 +1,6 @@
 #include "render/window_grid.h"
 
-#include <glad/gl.h>
+#include "render/gl.h"
 
 namespace sandbox {
 namespace {

@@ -1,6 +1,7 @@
 #include "teach/lesson_read.h"
 
 #include "image/file_io.h"
+#include "image/thread.h"
 #include "scene/read_json.h"
 #include "scene/scene_file.h"
 #include "scene/scene_setting.h"
@@ -169,6 +170,7 @@ Lesson builtin_lesson(const std::string &file, const Assets &assets, const Words
 std::vector<Lesson> lessons_in(std::string_view folder, const Assets &assets, const Words &words) {
     std::vector<Lesson> lessons;
     for (const std::string &file : assets.list(folder)) {
+        let_others_run();
         lessons.push_back(builtin_lesson(file, assets, words));
     }
     std::ranges::stable_sort(lessons, {}, &Lesson::order);

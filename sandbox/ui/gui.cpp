@@ -38,9 +38,9 @@ Gui::~Gui() {
     ImGui::DestroyContext();
 }
 
-void Gui::restyle(bool dark, float scale, const std::set<char32_t> &chinese) {
-    if (scale != scale_ || chinese.size() != characters_) {
-        load_fonts(scale, chinese);
+void Gui::restyle(bool dark, float scale, const std::set<char32_t> &rare) {
+    if (scale != scale_ || rare.size() != characters_) {
+        load_fonts(scale, rare);
         if (scale_ != 0) { // the first texture is made by the backend itself
             ImGui_ImplOpenGL3_DestroyFontsTexture();
             ImGui_ImplOpenGL3_CreateFontsTexture();
@@ -49,21 +49,21 @@ void Gui::restyle(bool dark, float scale, const std::set<char32_t> &chinese) {
     }
     apply_theme(dark, scale);
     scale_ = scale;
-    characters_ = chinese.size();
+    characters_ = rare.size();
     dark_ = dark;
 }
 
-void Gui::begin_frame(const Appearance &appearance, bool lesson, std::set<char32_t> &chinese) {
+void Gui::begin_frame(const Appearance &appearance, bool lesson, std::set<char32_t> &rare) {
     host_.feed_gui();
     ImGuiIO &io = ImGui::GetIO();
     for (const ImWchar typed : io.InputQueueCharacters) {
-        if (typed >= first_chinese) {
-            chinese.insert(typed);
+        if (typed >= 0x80 && !in_text_font(typed)) {
+            rare.insert(typed);
         }
     }
     const float scale = appearance.scale * host_.content_scale();
-    if (scale != scale_ || appearance.dark != dark_ || chinese.size() != characters_) {
-        restyle(appearance.dark, scale, chinese);
+    if (scale != scale_ || appearance.dark != dark_ || rare.size() != characters_) {
+        restyle(appearance.dark, scale, rare);
     }
     ImGui_ImplOpenGL3_NewFrame();
     io.KeyMap[ImGuiKey_Tab] = io.KeyCtrl ? GLFW_KEY_TAB : -1; // Ctrl+Tab goes to the next panel, Tab hides them all

@@ -18,10 +18,10 @@ class Gui {
     Gui(const Gui &) = delete;
     Gui &operator=(const Gui &) = delete;
 
-    /// Begins a frame with this theme and scale; loads new fonts if the scale changed or `chinese`, the characters in
-    /// use, has become more, to which what is typed is added. `lesson`: Page up and down, Home and End go through its
-    /// steps, and scroll nothing but the list of keys.
-    void begin_frame(const Appearance &appearance, bool lesson, std::set<char32_t> &chinese);
+    /// Begins a frame with this theme and scale; loads new fonts if the scale changed or `rare`, the characters in use
+    /// that the text font lacks, has become more, to which what is typed is added. `lesson`: Page up and down, Home and
+    /// End go through its steps, and scroll nothing but the list of keys.
+    void begin_frame(const Appearance &appearance, bool lesson, std::set<char32_t> &rare);
     /// Lays the frame out. False if it would show what the last one does; `pictures` counts the changes of the
     /// textures that it shows.
     bool end_frame(unsigned long pictures);
@@ -29,7 +29,7 @@ class Gui {
     static void draw();
 
   private:
-    void restyle(bool dark, float scale, const std::set<char32_t> &chinese);
+    void restyle(bool dark, float scale, const std::set<char32_t> &rare);
 
     Host &host_;
     bool dark_ = true;

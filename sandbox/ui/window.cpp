@@ -180,7 +180,7 @@ void Window::draw() {
     host_.set_full_screen(session_.appearance.full_screen);
     session_.widgets.begin_frame();
     use_shown_characters(session_, settings_.recent, dialog_.path());
-    gui_.begin_frame(session_.appearance, session_.document.step != nullptr, session_.chinese);
+    gui_.begin_frame(session_.appearance, session_.document.step != nullptr, session_.rare_characters);
     finder_.update(session_, painter_);
     draw_frame(session_, painter_, bottom_);
     dialog_.draw(session_, settings_.recent);
@@ -337,12 +337,12 @@ void Window::open(const std::string &name_or_path) {
 /// English, with a hint, where no font has the language's characters.
 void Window::speak(const std::string &language) {
     const Words words = words_in(language, assets_);
-    std::set<char32_t> before = session_.chinese;
+    std::set<char32_t> before = session_.rare_characters;
     for (const auto &[key, text] : words.all()) {
         use_characters(session_, text);
     }
-    if (session_.chinese != before && !chinese_font()) {
-        session_.chinese = std::move(before);
+    if (session_.rare_characters != before && !chinese_font()) {
+        session_.rare_characters = std::move(before);
         session_.words = words.english();
         list_taught(session_, assets_);
         throw InputError("{}", words.english().text("message.no_font"));

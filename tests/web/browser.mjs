@@ -55,8 +55,10 @@ export async function newPage(browser, size = {width: 1280, height: 720}, files 
 }
 
 // Runs a command in the page; gives its exit code, what it printed and noted, and a reader of the files it wrote.
-export async function runCommand(browser, address, words, files = {}) {
+// `before`: what happens in the page before anything else.
+export async function runCommand(browser, address, words, files = {}, before = () => {}) {
   const {page, complaints} = await newPage(browser, {width: 640, height: 480}, files);
+  await page.evaluateOnNewDocument(before);
   const notes = [];
   page.on('console', message => notes.push(message.text()));
   await page.goto(`${address}?${words.map(encodeURIComponent).join('&')}`);
@@ -74,4 +76,30 @@ export async function runCommand(browser, address, words, files = {}) {
     return btoa(text);
   }, name), 'base64');
   return {...result, notes, complaints, read, close: () => page.browserContext().close()};
+}
+
+export const ready = page => page.waitForFunction(() => document.documentElement.dataset.ready, {timeout: 60000});
+
+// The pixels that the window shows once it has come to rest, RGBA.
+export async function pixelsAtRest(page) {
+  const look = () => page.evaluate(() => {
+    const canvas = document.getElementById('canvas');
+    const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext('2d');
+    copy.drawImage(canvas, 0, 0);
+    const bytes = new Uint8Array(copy.getImageData(0, 0, canvas.width, canvas.height).data.buffer);
+    let text = '';
+    for (let i = 0; i < bytes.length; i += 4096) {
+      text += String.fromCharCode(...bytes.subarray(i, i + 4096));
+    }
+    return btoa(text);
+  });
+  for (let last = await look(), same = 0;;) {
+    await new Promise(resolve => setTimeout(resolve, 500));
+    const now = await look();
+    same = now === last ? same + 1 : 0;
+    last = now;
+    if (same === 4) { // 2 s
+      return Buffer.from(now, 'base64');
+    }
+  }
 }

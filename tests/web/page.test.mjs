@@ -2,12 +2,13 @@
 // works. PROGRAM: the native executable; PAGE: the folder of shading-sandbox.html and split/.
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
-import {mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import path from 'node:path';
 import {pathToFileURL} from 'node:url';
+import {brotliCompressSync, constants} from 'node:zlib';
 import {after, before, describe, test} from 'node:test';
-import {newPage, openBrowser, runCommand, serve} from './browser.mjs';
+import {newPage, openBrowser, ready, runCommand, serve} from './browser.mjs';
 
 const program = process.env.PROGRAM, folder = process.env.PAGE;
 const scratch = mkdtempSync(path.join(tmpdir(), 'page-test-'));
@@ -27,6 +28,23 @@ after(async () => {
   await browser.close();
   host.close();
   rmSync(scratch, {recursive: true});
+});
+
+test('a server sends 1.8 MB at most', () => {
+  let sent = 0;
+  for (const name of readdirSync(path.join(folder, 'split'))) {
+    const bytes = readFileSync(path.join(folder, 'split', name));
+    sent += brotliCompressSync(bytes, {params: {[constants.BROTLI_PARAM_SIZE_HINT]: bytes.length}}).length; // quality 11
+  }
+  assert.ok(sent <= 1.8e6, `${sent} bytes`);
+});
+
+test('cmake --install places the page', () => {
+  const prefix = path.join(scratch, 'installed');
+  execFileSync('cmake', ['--install', folder, '--prefix', prefix]);
+  for (const name of ['shading-sandbox.html', 'split/index.html', 'split/shading-sandbox.js', 'split/shading-sandbox.wasm']) {
+    assert.ok(readFileSync(path.join(prefix, 'share/shading-sandbox', name)).equals(readFileSync(path.join(folder, name))), name);
+  }
 });
 
 describe('commands', () => {
@@ -80,7 +98,6 @@ describe('commands', () => {
 });
 
 describe('the window', () => {
-  const ready = page => page.waitForFunction(() => document.documentElement.dataset.ready, {timeout: 60000});
   // A script of the window's own language, on a window in memory.
   const script = async lines => runCommand(browser, host.address, ['view', '--script', 'clicks'], {'/home/web_user/clicks': lines.join('\n')});
 

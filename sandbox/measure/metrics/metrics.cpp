@@ -1,5 +1,6 @@
 #include "measure/metrics/metrics.h"
 
+#include "image/thread.h"
 #include "measure/metrics/flip.h"
 
 #include <algorithm>
@@ -180,12 +181,14 @@ void compare_displayed(const Reading &left, const Reading &right, const std::vec
 
 Metrics compare_views(const Reading &left, const Reading &right, Flip flip) {
     require_alike(left, right);
+    let_others_run();
     Metrics metrics;
     const std::vector<std::size_t> compared = compared_pixels(left, right, metrics);
     if (metrics.nonfinite_pixels == 0) {
         metrics.norms = norms_of(left, right, compared);
         metrics.worst_pixel = worst_of(left, right, compared);
     }
+    let_others_run();
     if (metrics.norms.rmse > 0) {
         metrics.psnr = -20 * std::log10(metrics.norms.rmse);
     }

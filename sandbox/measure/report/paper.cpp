@@ -2,8 +2,9 @@
 
 #include "scene/assets.h"
 
+#include <charconv>
 #include <map>
-#include <regex>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -13,13 +14,16 @@ namespace {
 /// The variables of the style's first block, which holds the light theme.
 std::map<std::string, PaperColor, std::less<>> light_theme() {
     const std::string style = Assets("assets").read("page/style.css").value_or("");
-    const std::string block = style.substr(0, style.find('}'));
-    static const std::regex variable("--([a-z0-9-]+): #([0-9a-f]{6})");
+    std::istringstream block(style.substr(0, style.find('}')));
     std::map<std::string, PaperColor, std::less<>> colors;
-    for (std::sregex_iterator at(block.begin(), block.end(), variable), end; at != end; ++at) {
-        const auto hex = static_cast<unsigned>(std::stoul((*at)[2], nullptr, 16));
-        colors[(*at)[1]] = {static_cast<std::uint8_t>(hex >> 16U & 0xFFU), static_cast<std::uint8_t>(hex >> 8U & 0xFFU),
-                            static_cast<std::uint8_t>(hex & 0xFFU)};
+    for (std::string name, value; block >> name;) { // "--front: #1b1e24;"
+        unsigned hex = 0;
+        if (name.starts_with("--") && name.ends_with(':') && block >> value && value.starts_with('#') &&
+            value.size() >= 7 && std::from_chars(value.data() + 1, value.data() + 7, hex, 16).ptr == value.data() + 7) {
+            colors[name.substr(2, name.size() - 3)] = {static_cast<std::uint8_t>(hex >> 16U & 0xFFU),
+                                                       static_cast<std::uint8_t>(hex >> 8U & 0xFFU),
+                                                       static_cast<std::uint8_t>(hex & 0xFFU)};
+        }
     }
     return colors;
 }

@@ -16,6 +16,9 @@ using nlohmann::ordered_json;
 
 ordered_json row_json(const StabilityRow &row) {
     ordered_json json{{"technique", to_string(row.technique)}, {"passed", row.passed}, {"error", row.error}};
+    if (!row.refused.empty()) {
+        json["refused"] = row.refused;
+    }
     for_each_metric(row.metrics, [&](const auto &metric, const auto &measured) {
         if (!metric.costly) {
             json[metric.name] = quantity_json<ordered_json>(metric, measured);
@@ -61,7 +64,7 @@ void add_csv_row(CsvTable &table, const StabilityResult &result, const Stability
             table.cell(std::string(metric.name), metric, measured);
         }
     });
-    table.cell("passed", row.passed ? "yes" : "no");
+    table.cell("passed", !row.refused.empty() ? "refused: " + row.refused : row.passed ? "yes" : "no");
     if (const auto cost = result.cost_ratio(); cost && &row == &result.rows.front()) {
         table.cell("cost", *cost);
     }
@@ -89,7 +92,10 @@ std::string case_html(const Words &words, const StabilityResult &result) {
     }
     std::string warnings;
     for (const StabilityRow &row : result.rows) {
-        if (!row.passed) {
+        if (!row.refused.empty()) {
+            warnings += fmt::format("<p>{}</p>", words.format("stability.refused", html::technique_code(row.technique),
+                                                              html::escaped(row.refused)));
+        } else if (!row.passed) {
             warnings += fmt::format("<p class=\"warning\">{}</p>",
                                     words.format("stability.page.warning", html::technique_code(row.technique),
                                                  error_words(words, row), row.metrics.compared_pixels,
@@ -182,7 +188,9 @@ std::string table_lines(const Words &words, const StabilityResult &result, std::
         out += fmt::format("    seen on: {}\n", result.definition.seen_on);
     }
     for (const StabilityRow &row : result.rows) {
-        if (!row.passed) {
+        if (!row.refused.empty()) {
+            out += fmt::format("    {}\n", words.format("stability.refused", to_string(row.technique), row.refused));
+        } else if (!row.passed) {
             const Metrics &m = row.metrics;
             out += fmt::format("    {}: error {}, compared {}, silhouette {}, edge {}, jump {}, rounding {}\n",
                                to_string(row.technique), error_words(words, row), m.compared_pixels,

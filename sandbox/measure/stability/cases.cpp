@@ -2,6 +2,7 @@
 
 #include "image/error.h"
 #include "image/image_file.h"
+#include "image/thread.h"
 #include "scene/read_json.h"
 #include "scene/scene_file.h"
 #include "scene/scene_setting.h"
@@ -156,6 +157,7 @@ std::vector<StabilityCase> stability_cases(const Assets &assets) {
     const fs::path folder = assets.folder().empty() ? fs::path() : assets.folder() / cases_folder;
     std::vector<StabilityCase> cases;
     for (const std::string &path : assets.list(cases_folder)) {
+        let_others_run();
         cases.push_back(parse_stability_case(assets.read(path).value_or(""), path, folder, assets));
     }
     const auto order = order_of_cases(assets);

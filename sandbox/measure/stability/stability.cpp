@@ -1,5 +1,7 @@
 #include "measure/stability/stability.h"
 
+#include "image/device_limit.h"
+#include "image/thread.h"
 #include "measure/stability/textbook.h"
 #include "reference/reference.h"
 #include "shading/prepared_object.h"
@@ -7,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/packing.hpp>
+#include <tuple>
 
 namespace sandbox {
 namespace {
@@ -37,6 +40,7 @@ bool needs_guards(const StabilityCase &drawn, const std::vector<ObjectResources>
 double cost_of(const StabilityCase &timed, const StabilityDraw &draw) {
     std::vector<double> ratios;
     for (int turn = -2; turn < cost_turns; ++turn) {
+        let_others_run();
         const double robust = draw.timed(timed.scene, timed.techniques.front());
         const double textbook = draw.timed_unguarded(timed.scene, timed.techniques.front());
         if (turn >= 0) {
@@ -57,12 +61,16 @@ void round_to_half(Image &image) {
 } // namespace
 
 bool StabilityResult::passed() const {
-    return !rows.empty() && std::ranges::all_of(rows, [](const StabilityRow &row) { return row.passed; });
+    return !rows.empty() &&
+           std::ranges::all_of(rows, [](const StabilityRow &row) { return row.passed || !row.refused.empty(); });
 }
 
 const StabilityRow &StabilityResult::worst() const {
     return *std::ranges::max_element(rows, [](const StabilityRow &a, const StabilityRow &b) {
-        return std::pair(!a.passed, a.error) < std::pair(!b.passed, b.error);
+        const auto badness = [](const StabilityRow &row) {
+            return std::tuple(row.refused.empty(), !row.passed, row.error);
+        };
+        return badness(a) < badness(b);
     });
 }
 
@@ -91,11 +99,18 @@ StabilityResult run_stability_case(const StabilityCase &definition, const Stabil
     const auto resources = draw.load(definition.scene);
     for (const Technique &technique : definition.techniques) {
         const ReferenceFrame truth = render_reference(definition.scene, resources, technique, size);
-        const Frame frame = draw.picture(definition.scene, technique, size);
-        result.rows.push_back(judge_stability(frame, truth, technique, definition.bound, definition.unit));
+        let_others_run();
+        Frame frame{Image(size), {}};
+        try {
+            frame = draw.picture(definition.scene, technique, size);
+            result.rows.push_back(judge_stability(frame, truth, technique, definition.bound, definition.unit));
+        } catch (const DeviceLimitError &refusal) {
+            result.rows.push_back({technique, {}, 0, false, refusal.what()});
+        }
         if (result.rows.size() > 1) {
             continue;
         }
+        let_others_run();
         const Technique textbook = definition.textbook.value_or(technique);
         Frame naive = definition.textbook ? draw.picture(definition.scene, textbook, size)
                                           : textbook_picture(definition.scene, resources, technique, size);

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 /// Draws the stiff and extreme cases, on which a textbook's float32 formulas break, and judges them against the double
@@ -20,6 +21,8 @@ struct StabilityRow {
     Metrics metrics;
     double error = 0; ///< the largest difference, in the case's unit; infinite if a pixel is not finite
     bool passed = false;
+    /// Why this device cannot draw it, which is no failure; empty: it was drawn.
+    std::string refused{};
 };
 
 struct StabilityResult {
@@ -32,10 +35,11 @@ struct StabilityResult {
     double exposure = 1; ///< of the pictures: see stability_exposure()
     ByteImage textbook_image, robust_image, reference_image;
 
+    /// Every row that could be drawn.
     [[nodiscard]] bool passed() const;
     /// Does the textbook's form show damage on the renderer at hand? If not, the case says where it was seen.
     [[nodiscard]] bool textbook_breaks() const { return !textbook.passed; }
-    /// The row with the largest error.
+    /// The row with the largest error, of those that could be drawn.
     [[nodiscard]] const StabilityRow &worst() const;
     /// The cost; 1 where there are no guards to pay for.
     [[nodiscard]] std::optional<double> cost_ratio() const { return guarded ? cost : 1; }
@@ -44,7 +48,7 @@ struct StabilityResult {
 /// How a case is drawn: by the renderer, or by a fake in a test.
 struct StabilityDraw {
     std::function<std::vector<ObjectResources>(const Scene &)> load;
-    /// With object ids, of the size that is asked for.
+    /// With object ids, of the size that is asked for. Throws DeviceLimitError where the device cannot.
     std::function<Frame(const Scene &, const Technique &, Size)> picture;
     /// Draws and waits until done; milliseconds of the wall clock. Empty: no costs.
     std::function<double(const Scene &, const Technique &)> timed;

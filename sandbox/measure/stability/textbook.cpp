@@ -1,5 +1,6 @@
 #include "measure/stability/textbook.h"
 
+#include "image/thread.h"
 #include "reference/mesh_scene.h"
 #include "scene/light_kind.h"
 #include "scene/space.h"
@@ -125,6 +126,9 @@ class TextbookScene {
         for (std::size_t i = 0; i < scene.objects.size(); ++i) {
             TextbookObject object = transformed(scene.camera, scene.objects[i], *resources[i].mesh);
             for (std::size_t v = 0; technique.frequency == Frequency::per_vertex && v < object.positions.size(); ++v) {
+                if (v % 256 == 0) {
+                    let_others_run();
+                }
                 object.colors.push_back(color(i, {object.positions[v], object.normals[v], object.local[v]}));
             }
             objects_.push_back(std::move(object));
@@ -189,6 +193,7 @@ void draw_side(Drawing &drawing, const TextbookScene &textbook, std::size_t obje
     Image &image = drawing.frame.color;
     const reference::Rasteriser rasteriser(alone, image.size, reference::DepthRange(camera));
     for (std::size_t band = 0; band < rasteriser.bands(); ++band) {
+        let_others_run();
         const std::vector<Hit> hits = rasteriser.draw(band);
         for (std::size_t i = 0; i < hits.size(); ++i) {
             if (hits[i].object == 0) {
@@ -222,6 +227,7 @@ Frame textbook_picture(const Scene &scene, const std::vector<ObjectResources> &r
     drawing.depths.assign(image.pixels.size(), 1);
     for (std::size_t object = 0; object < meshes.raster.size(); ++object) {
         for (const int hidden : {1, -1}) {
+            let_others_run();
             reference::RasterObject side = meshes.raster[object];
             side.hidden = hidden;
             draw_side(drawing, textbook, object, side, scene.camera);

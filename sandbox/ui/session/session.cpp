@@ -53,8 +53,8 @@ void show_document(Session &session, const Document &document) {
 void use_characters(Session &session, std::string_view text) {
     while (!text.empty()) {
         const char32_t character = take_character(text);
-        if (character >= first_chinese) {
-            session.chinese.insert(character);
+        if (character >= 0x80 && !in_text_font(character)) {
+            session.rare_characters.insert(character);
         }
     }
 }

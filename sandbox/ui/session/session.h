@@ -88,18 +88,18 @@ struct StatusLine {
 /// What the panels ask of the window, which answers after the frame.
 struct Requests {
     bool quit = false;
-    bool capture = false;                         ///< the views
-    bool capture_window = false;                  ///< all that the window shows
-    bool open_folder = false;                     ///< of captures
-    std::optional<std::string> open;              ///< a built-in name or a path
-    std::optional<std::string> open_lesson;       ///< likewise
-    std::size_t open_step = 0;                    ///< of that lesson
-    std::optional<std::string> open_exercise;     ///< likewise
-    bool begin_exercise = false;                  ///< writes the student's file, and opens it in an editor
-    std::optional<std::string> save;              ///< a path for the scene
-    std::optional<std::string> language;          ///< of languages
-    bool ask_open = false, ask_save = false;      ///< for a path
-    bool copy_scene = false, paste_scene = false; ///< as JSON, by the clipboard
+    bool capture = false;                          ///< the views
+    bool capture_window = false;                   ///< all that the window shows
+    bool open_folder = false;                      ///< of captures
+    std::optional<std::string> open;               ///< a built-in name or a path
+    std::optional<std::string> open_lesson;        ///< likewise
+    std::size_t open_step = 0;                     ///< of that lesson
+    std::optional<std::string> open_exercise;      ///< likewise
+    bool begin_exercise = false;                   ///< writes the student's file, and opens it in an editor
+    std::optional<std::string> save;               ///< a path for the scene
+    std::optional<std::string> language;           ///< of languages
+    bool ask_open = false, ask_save = false;       ///< for a path
+    bool copy_scene = false, paste_scene = false;  ///< as JSON, by the clipboard
     bool copy_link = false, show_licences = false; ///< of a page
     bool operator==(const Requests &) const = default;
 };
@@ -131,7 +131,7 @@ struct Session {
     bool answer_shown = false; ///< of the step's question
     WidgetMap widgets;         ///< for scripts
     Words words = words_in(languages.front());
-    std::set<char32_t> chinese; ///< characters in use, for the fonts: see use_characters()
+    std::set<char32_t> rare_characters; ///< in use, beside in_text_font(): see use_characters()
 
     explicit Session(Document first) : document(first), history(std::move(first)) {}
 

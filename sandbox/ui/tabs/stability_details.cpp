@@ -33,7 +33,9 @@ std::string views_text(const Words &words, const StabilityCase &definition) {
 
 void failed_rows(const Words &words, const StabilityResult &result) {
     for (const StabilityRow &row : result.rows) {
-        if (!row.passed) {
+        if (!row.refused.empty()) {
+            wrapped_text(quiet_text(), words.format("stability.refused", to_string(row.technique), row.refused));
+        } else if (!row.passed) {
             wrapped_text(error_text(), words.format("stability.failed_row", to_string(row.technique),
                                                     short_number(words, row.error), row.metrics.nonfinite_pixels));
         }

@@ -2,9 +2,12 @@
 
 #include "image/system_font.h"
 
+#include <algorithm>
+#include <cmath>
 #include <imgui.h>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace sandbox {
 
@@ -20,14 +23,19 @@ void add_font(const std::optional<FontFile> &file, float pixels) {
         atlas.AddFontDefault(&config);
         return;
     }
-    // Latin, Greek, Cyrillic (names of files may hold them), punctuation, arrows, signs.
-    static const ImWchar glyphs[] = {0x0020, 0x024F, 0x0370, 0x03FF, 0x0400, 0x04FF, 0x2010, 0x2027,
-                                     0x2030, 0x203A, 0x2190, 0x2199, 0x2212, 0x2212, 0};
+    static const std::vector<ImWchar> glyphs = [] {
+        std::vector<ImWchar> pairs;
+        for (const auto &range : text_ranges) {
+            pairs.insert(pairs.end(), range.begin(), range.end());
+        }
+        pairs.push_back(0);
+        return pairs;
+    }();
     ImFontConfig config;
     config.OversampleH = 2;
     config.OversampleV = 1;
     config.PixelSnapH = true;
-    atlas.AddFontFromFileTTF(file->path.c_str(), pixels, &config, glyphs);
+    atlas.AddFontFromFileTTF(file->path.c_str(), pixels, &config, glyphs.data());
 }
 
 /// Into the font that was added last, `pixels` high, as wide and high as Latin type beside it looks. `ranges` must live
@@ -44,26 +52,63 @@ void merge_chinese(float pixels, const ImVector<ImWchar> &ranges) {
     atlas.ConfigData.back().SizePixels = -pixels * chinese_square;
 }
 
+struct DrawnGlyph {
+    int rect; ///< of the atlas
+    GlyphPicture picture;
+};
+
+/// Room in the atlas for what no font has, in the font that was added last, as large as Chinese is.
+void reserve_drawn(std::vector<DrawnGlyph> &drawn, float pixels, const std::set<char32_t> &rare) {
+    constexpr float baseline = 0.8F; // of the line's height, as the text fonts have it
+    ImFontAtlas &atlas = *ImGui::GetIO().Fonts;
+    const double em = static_cast<double>(pixels * chinese_square);
+    for (const char32_t character : rare) {
+        auto picture = character > IM_UNICODE_CODEPOINT_MAX ? std::nullopt : browser_glyph(character, em);
+        if (picture) {
+            const ImVec2 corner{static_cast<float>(picture->x),
+                                std::round(baseline * pixels) + static_cast<float>(picture->y)};
+            const int rect =
+                atlas.AddCustomRectFontGlyph(atlas.Fonts.back(), static_cast<ImWchar>(character), picture->width,
+                                             picture->height, static_cast<float>(*font_advance(character, em)), corner);
+            drawn.push_back({rect, std::move(*picture)});
+        }
+    }
+}
+
+/// After the atlas has been built.
+void fill_drawn(const std::vector<DrawnGlyph> &drawn) {
+    ImFontAtlas &atlas = *ImGui::GetIO().Fonts;
+    for (const DrawnGlyph &glyph : drawn) {
+        const ImFontAtlasCustomRect &rect = *atlas.GetCustomRectByIndex(glyph.rect);
+        for (int y = 0; y < glyph.picture.height; ++y) {
+            const auto row = glyph.picture.cover.begin() + y * glyph.picture.width;
+            std::copy_n(row, glyph.picture.width, atlas.TexPixelsAlpha8 + (rect.Y + y) * atlas.TexWidth + rect.X);
+        }
+    }
+}
+
 } // namespace
 
-void load_fonts(float scale, const std::set<char32_t> &chinese) {
+void load_fonts(float scale, const std::set<char32_t> &rare) {
     ImFontAtlas &atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
     atlas.Flags |= ImFontAtlasFlags_NoPowerOfTwoHeight;
     ImVector<ImWchar> ranges;
     ImFontGlyphRangesBuilder builder;
-    for (const char32_t character : chinese) {
+    for (const char32_t character : rare) {
         if (character <= IM_UNICODE_CODEPOINT_MAX) {
             builder.AddChar(static_cast<ImWchar>(character));
         }
     }
     builder.BuildRanges(&ranges);
-    const bool merges = !chinese.empty() && chinese_font();
+    const bool merges = !rare.empty() && chinese_font();
+    std::vector<DrawnGlyph> drawn;
     const auto add = [&](const std::optional<FontFile> &file, float pixels) {
         add_font(file, pixels);
         if (merges) {
             merge_chinese(pixels, ranges);
         }
+        reserve_drawn(drawn, pixels, rare);
     };
     const auto text = find_font({{"NotoSans-Regular.ttf"},
                                  {"DejaVuSans.ttf"},
@@ -79,6 +124,7 @@ void load_fonts(float scale, const std::set<char32_t> &chinese) {
         15 * scale);
     add(text, 24 * scale);
     atlas.Build(); // while `ranges` lives
+    fill_drawn(drawn);
 }
 
 ImFont *code_font() { return ImGui::GetIO().Fonts->Fonts[1]; }

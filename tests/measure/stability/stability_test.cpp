@@ -1,3 +1,4 @@
+#include "image/device_limit.h"
 #include "measure/report/stability_report.h"
 #include "reference/reference.h"
 
@@ -74,6 +75,31 @@ TEST(Stability, WhatIsNotDrawnFails) {
         return Frame{Image(size), std::vector<std::uint32_t>(33 * 33, 0), 0};
     };
     EXPECT_FALSE(run_stability_case(plain_case(0.5, 1), draw, small).passed());
+}
+
+TEST(Stability, WhatTheDeviceCannotDrawIsRefusedAndNoFailure) {
+    StabilityCase one = plain_case(0.5, 0.01);
+    one.name = "many-lights";
+    one.techniques.push_back(parse_technique("per-pixel/lambert:program=full"));
+    const auto run = [&](double error) {
+        StabilityDraw draw = fake(error);
+        draw.picture = [drawn = draw.picture](const Scene &scene, const Technique &technique, Size size) {
+            if (technique.program == Program::full) {
+                throw DeviceLimitError("too large");
+            }
+            return drawn(scene, technique, size);
+        };
+        return StabilityRun{{run_stability_case(one, draw, small)}, "device", "1"};
+    };
+    const StabilityRun refused = run(0);
+    EXPECT_TRUE(refused.results[0].passed());
+    EXPECT_EQ(refused.results[0].rows[1].refused, "too large");
+    EXPECT_EQ(&refused.results[0].worst(), &refused.results[0].rows[0]);
+    EXPECT_EQ(nlohmann::json::parse(stability_json(refused))["cases"][0]["robust"][1]["refused"], "too large");
+    for (const std::string &text : {stability_table(refused), stability_csv(refused), stability_html(refused)}) {
+        EXPECT_NE(text.find("too large"), std::string::npos) << text;
+    }
+    EXPECT_FALSE(run(0.1).results[0].passed()) << "what is drawn is judged";
 }
 
 TEST(Stability, TheTextbookAgreesWhereNothingIsExtreme) {
