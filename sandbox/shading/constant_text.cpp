@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <optional>
-#include <regex>
 #include <sstream>
+#include <string_view>
 #include <vector>
 
 namespace sandbox {
@@ -60,30 +60,51 @@ std::optional<std::string> element(const std::string &type, const std::string &n
     return fmt::format("{}({})", type, fmt::join(members, ", "));
 }
 
+/// "uniform vec3 two[2]; // comment"
+struct Declaration {
+    std::string type, name;
+    int count = 0; ///< of an array's elements; 0: no array
+    std::string rest;
+};
+
+/// Of a line that declares one uniform, or one member of a struct.
+std::optional<Declaration> declaration(std::string_view line, std::string_view before) {
+    const std::size_t end = line.find(';');
+    if (!line.starts_with(before) || end == std::string_view::npos) {
+        return std::nullopt;
+    }
+    const std::string_view declared = line.substr(before.size(), end - before.size());
+    const std::size_t space = declared.find(' '), bracket = declared.find('[');
+    if (space == std::string_view::npos || declared.find(',') != std::string_view::npos) {
+        return std::nullopt;
+    }
+    const bool is_array = bracket != std::string_view::npos;
+    const std::string_view name = declared.substr(space + 1, is_array ? bracket - space - 1 : bracket);
+    return Declaration{std::string(declared.substr(0, space)), std::string(name),
+                       is_array ? std::stoi(std::string(declared.substr(bracket + 1))) : 0,
+                       std::string(line.substr(end + 1))};
+}
+
 /// One line of the text an entry; none where some element has no value.
-std::vector<std::string> constant(const std::smatch &uniform, const Structs &structs, const UniformValues &values) {
-    const std::string type = uniform[1], name = uniform[2], count = uniform[3], rest = uniform[4];
-    if (count.empty()) {
+std::vector<std::string> constant(const Declaration &uniform, const Structs &structs, const UniformValues &values) {
+    const auto &[type, name, count, rest] = uniform;
+    if (count == 0) {
         const auto value = element(type, name, structs, values);
         return value ? std::vector{fmt::format("const {} {} = {};{}", type, name, *value, rest)}
                      : std::vector<std::string>{};
     }
     std::vector<std::string> lines{fmt::format("const {0} {1}[{2}] = {0}[{2}]({3}", type, name, count, rest)};
-    const int elements = std::stoi(count);
-    for (int i = 0; i < elements; ++i) {
+    for (int i = 0; i < count; ++i) {
         const auto value = element(type, fmt::format("{}[{}]", name, i), structs, values);
         if (!value) {
             return {};
         }
-        lines.push_back("    " + *value + (i + 1 < elements ? "," : ");"));
+        lines.push_back("    " + *value + (i + 1 < count ? "," : ");"));
     }
     return lines;
 }
 
 StageSource with_constants(const StageSource &source, const UniformValues &values) {
-    static const std::regex uniform(R"(uniform (\w+) (\w+)(?:\[(\d+)\])?;(.*))");
-    static const std::regex begin(R"(struct (\w+) \{)");
-    static const std::regex member(R"(    (\w+) (\w+);.*)");
     Structs structs;
     std::string open; // the struct whose members are read
     StageSource result;
@@ -91,16 +112,16 @@ StageSource with_constants(const StageSource &source, const UniformValues &value
     std::size_t number = 0;
     for (std::string line; std::getline(text, line); ++number) {
         std::vector<std::string> lines{line};
-        if (std::smatch match; std::regex_match(line, match, uniform)) {
-            if (auto constants = constant(match, structs, values); !constants.empty()) {
+        if (const auto uniform = declaration(line, "uniform ")) {
+            if (auto constants = constant(*uniform, structs, values); !constants.empty()) {
                 lines = std::move(constants);
             }
-        } else if (std::regex_match(line, match, begin)) {
-            open = match[1];
+        } else if (line.starts_with("struct ")) {
+            open = line.substr(7, line.find(' ', 7) - 7);
         } else if (line == "};") {
             open.clear();
-        } else if (!open.empty() && std::regex_match(line, match, member)) {
-            structs[open].push_back({match[1], match[2]});
+        } else if (const auto member = open.empty() ? std::nullopt : declaration(line, "    ")) {
+            structs[open].push_back({member->type, member->name});
         }
         for (const std::string &each : lines) {
             result.text += each + "\n";
