@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/gtc/matrix_access.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 #include <limits>
@@ -16,8 +17,8 @@ namespace {
 
 bool any(const glm::dvec3 &v) { return v != glm::dvec3(0); }
 
-/// Could a point of the object lie on the line `from` + t `along`, 0 <= t <= `most`? Against the mesh's bounds, in
-/// object space, with some room.
+/// Could a point of the object lie on the line `from` + t `along`, 0 <= t <= `most`, or seem to in float32? Against the
+/// mesh's bounds, in object space, with some room.
 bool may_cross(const Object &object, const Mesh &mesh, const glm::dvec3 &from, const glm::dvec3 &along, double most) {
     const glm::dmat3 linear = linear_part(object.transform);
     if (std::abs(glm::determinant(linear)) == 0) {
@@ -25,9 +26,16 @@ bool may_cross(const Object &object, const Mesh &mesh, const glm::dvec3 &from, c
     }
     const Bounds &bounds = mesh.bounds;
     const glm::dvec3 extent = bounds.high - bounds.low;
-    const glm::dvec3 room = 0.01 * extent + glm::dvec3(1e-3 * glm::length(extent)); // flat shapes have some too
-    const glm::dvec3 start = glm::inverse(linear) * (from - object.transform.translate);
-    const glm::dvec3 step = glm::inverse(linear) * along;
+    const glm::dmat3 to_object = glm::inverse(linear);
+    const glm::dvec3 start = to_object * (from - object.transform.translate);
+    const glm::dvec3 step = to_object * along;
+    const glm::dvec3 middle = linear * ((bounds.low + bounds.high) / 2.0) + object.transform.translate;
+    const double distance = glm::length(from - middle) + (std::isfinite(most) ? most * glm::length(along) : 0);
+    glm::dvec3 room = 0.01 * extent + glm::dvec3(1e-3 * glm::length(extent)); // flat shapes have some too
+    for (int axis = 0; axis < 3; ++axis) {
+        constexpr double angle = 1e-6; // below it float32's unit vectors are the same
+        room[axis] += angle * distance * glm::length(glm::dvec3(glm::row(to_object, axis)));
+    }
     double enters = 0, leaves = most;
     for (int axis = 0; axis < 3; ++axis) {
         const double low = bounds.low[axis] - room[axis] - start[axis];

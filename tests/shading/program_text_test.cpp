@@ -74,6 +74,45 @@ TEST(ProgramText, ABakedProgramMultipliesWholeExponentsAndWritesItsLightsOut) {
     EXPECT_TRUE(has(hundred, "point_light(point_lights[0], P, N, R) + point_light(point_lights[1], P, N, R)"));
 }
 
+/// H = 0 where L = -V: the object lies between the viewer and a light.
+TEST(ProgramText, TheHalfVectorIsGuardedOnlyWhereALightMayStandOppositeTheViewer) {
+    Scene scene = named("point");
+    scene.objects[0].transform = {};
+    scene.objects[0].mesh = SphereShape{};
+    scene.camera.position = {0, 0, 5};
+    const auto guarded = [&](const std::string &technique = "per-pixel/blinn-phong") {
+        return has(text_of(scene, technique), "h2 > 0.0");
+    };
+    Light &light = scene.lights[0];
+    for (const auto &[position, crosses] : std::initializer_list<std::pair<glm::dvec3, bool>>{
+             {{0, 0, -5}, true}, {{4, 0, 5}, false}, {{0.5, 0.5, -3}, true}, {{0, 0, 3}, false}, {{6, 0, -5}, false}}) {
+        light.position = position;
+        EXPECT_EQ(guarded(), crosses) << position.x << " " << position.z;
+    }
+    EXPECT_TRUE(guarded("interpolated-vectors/blinn-phong")) << "what is interpolated may cancel";
+    EXPECT_TRUE(guarded("per-pixel/blinn-phong:position=absolute"));
+    scene.objects[0].transform.scale = glm::dvec3(1e-9); // float32 cannot tell it from a point on the line
+    light.position = {1e-8, 0, -5};
+    EXPECT_TRUE(guarded());
+    scene.objects[0].transform.scale = glm::dvec3(1);
+    light.type = LightType::directional;
+    light.direction = {0, 0, 1}; // towards the viewer
+    EXPECT_TRUE(guarded());
+    light.direction = {0, -1, -1};
+    EXPECT_FALSE(guarded());
+}
+
+TEST(ProgramText, OneColourServesDiffuseAndSpecularLightWhereTheyHaveTheSame) {
+    Scene scene = named("point");
+    Material &material = scene.objects[0].material;
+    material.diffuse = {0.2, 0.4, 0.6};
+    material.specular = {0.1, 0.2, 0.3};
+    EXPECT_TRUE(has(text_of(scene, "per-pixel/blinn-phong"), "light.specular_share * highlight"));
+    EXPECT_FALSE(has(text_of(scene, "hybrid/blinn-phong"), "specular_share")) << "its terms go to two stages";
+    material.specular = {0.1, 0.2, 0.31};
+    EXPECT_FALSE(has(text_of(scene, "per-pixel/blinn-phong"), "specular_share"));
+}
+
 TEST(ProgramText, WhatASceneNeedsIsThere) {
     const std::string text = text_of(named("all"), "per-pixel/blinn-phong");
     EXPECT_TRUE(has(text, "pow(f2, 0.5 * shininess)"));
