@@ -8,7 +8,7 @@
 namespace sandbox {
 namespace {
 
-constexpr std::size_t most_programs = 48;
+constexpr std::size_t most_programs = 128; // more than a report draws in turns
 
 } // namespace
 
