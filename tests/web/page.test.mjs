@@ -141,8 +141,11 @@ describe('the window', () => {
     const {page} = await newPage(browser);
     await page.goto(`${host.address}?vase`);
     await ready(page);
-    const shared = JSON.parse(await page.evaluate(() => Module.keep()));
-    await page.evaluate(() => Module.share(Module.keep()));
+    const shared = JSON.parse(await page.evaluate(() => { // at once: the first frames settle the pictures' size
+      const kept = Module.keep();
+      Module.share(kept);
+      return kept;
+    }));
     const link = await page.waitForFunction(() => location.hash.length > 1 && location.hash).then(hash => hash.jsonValue());
     await page.evaluate(() => { Module.keep = null; });
     const {page: other, complaints} = await newPage(browser);
