@@ -145,8 +145,8 @@ struct Renderer::Impl {
         const GlProgram &program = programs.get(draw.prepared.program, constants(draw));
         glUseProgram(program.id());
         upload_uniforms(program, draw);
-        if (program.has(
-                "base_texture")) { // without one: nothing, for WebGL refuses what was bound, the target itself say
+        // Without a texture nothing is bound: WebGL refuses what was, the target itself say.
+        if (program.has("base_texture")) {
             glActiveTexture(GL_TEXTURE0);
             glBindTexture(GL_TEXTURE_2D, own.texture != nullptr ? texture(own.texture) : 0);
         }
