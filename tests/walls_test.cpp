@@ -20,14 +20,17 @@ const std::map<std::string, Names, std::less<>> rooms_below = {
     {"scene", {"image"}},
     {"shading", {"scene", "image"}},
     {"words", {"image", "scene", "shading"}},
-    {"reference", {"scene", "image", "shading"}},
-    {"render", {"scene", "image", "shading"}},
-    {"measure", {"words", "scene", "image", "shading", "reference"}},
-    {"teach", {"words", "scene", "image", "shading", "reference", "measure"}},
-    {"capture", {"words", "scene", "image", "shading", "reference", "measure", "teach"}},
-    {"ui", {"words", "scene", "image", "shading", "reference", "render", "measure", "teach", "capture"}},
-    {"commands", {"words", "scene", "image", "shading", "reference", "render", "measure", "teach", "capture", "ui"}},
-    {"main.cpp", {"scene", "image", "shading", "reference", "render", "measure", "capture", "ui", "commands"}},
+    {"certificate", {"scene", "image", "shading"}},
+    {"reference", {"scene", "image", "shading", "certificate"}},
+    {"render", {"scene", "image", "shading", "certificate"}},
+    {"measure", {"words", "scene", "image", "shading", "certificate", "reference"}},
+    {"teach", {"words", "scene", "image", "shading", "certificate", "reference", "measure"}},
+    {"capture", {"words", "scene", "image", "shading", "certificate", "reference", "measure", "teach"}},
+    {"ui", {"words", "scene", "image", "shading", "certificate", "reference", "render", "measure", "teach", "capture"}},
+    {"commands",
+     {"words", "scene", "image", "shading", "certificate", "reference", "render", "measure", "teach", "capture", "ui"}},
+    {"main.cpp",
+     {"scene", "image", "shading", "certificate", "reference", "render", "measure", "capture", "ui", "commands"}},
 };
 
 /// The rooms inside a large room, and those that each of them may include. What stands in the large room itself sees
@@ -69,7 +72,7 @@ const std::vector<Library> libraries = {
     {"nlohmann/.*", {"words", "scene", "measure", "teach", "capture", "ui", "commands"}},
 };
 
-const Names rooms_without_opengl = {"words",   "scene", "image",   "shading",  "reference",
+const Names rooms_without_opengl = {"words",   "scene", "image",   "shading",  "certificate", "reference",
                                     "measure", "teach", "capture", "commands", "main.cpp"};
 constexpr std::size_t longest_file = 450;
 
