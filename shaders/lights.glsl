@@ -26,9 +26,9 @@ struct ${array.type} {
     vec3 diffuse; // material times light
 #endif
 #endif
-#if array.one_color
+#if array.one_color && !array.one_share
     float specular_share; // the specular light is so many times the diffuse
-#elif array.specular
+#elif array.specular && !array.one_share
 #if normalisation_blinn_phong && !full
     vec3 specular; // material times light times (n + 8) / (8 pi)
 #else
@@ -38,13 +38,13 @@ struct ${array.type} {
 #if array.given_half_vector
     vec3 half_vector;
 #endif
-#if array.constant
+#if array.constant && !array.one_attenuation
     float constant; // attenuation
 #endif
-#if array.linear
+#if array.linear && !array.one_attenuation
     float linear;
 #endif
-#if array.quadratic
+#if array.quadratic && !array.one_attenuation
     float quadratic;
 #endif
 #if array.cone
@@ -67,6 +67,18 @@ struct ${array.type} {
 uniform ${array.type} ${array.array}[${array.count}];
 #else
 uniform ${array.type} the_${array.kind}_light;
+#endif
+#if array.one_share
+uniform float ${array.kind}_specular_share; // the specular light of each is so many times the diffuse
+#endif
+#if array.one_attenuation && array.constant
+uniform float ${array.kind}_constant; // the attenuation of each
+#endif
+#if array.one_attenuation && array.linear
+uniform float ${array.kind}_linear;
+#endif
+#if array.one_attenuation && array.quadratic
+uniform float ${array.kind}_quadratic;
 #endif
 
 #endif

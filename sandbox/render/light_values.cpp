@@ -68,6 +68,14 @@ LightValues light_values(const Scene &scene, const ObjectLight &on_object, const
     return values;
 }
 
+void put_shared(UniformSink &sink, const std::string &prefix, const LightValues &light) {
+    const auto number = [&](const char *member, double value) { sink.put(prefix + member, static_cast<float>(value)); };
+    number("specular_share", light.specular_share);
+    number("constant", light.attenuation.constant);
+    number("linear", light.attenuation.linear);
+    number("quadratic", light.attenuation.quadratic);
+}
+
 void put_light(UniformSink &sink, const std::string &name, const LightValues &light) {
     const auto vector = [&](const char *member, const glm::dvec3 &value) { sink.put(name + member, glm::vec3(value)); };
     const auto number = [&](const char *member, double value) { sink.put(name + member, static_cast<float>(value)); };
@@ -78,10 +86,7 @@ void put_light(UniformSink &sink, const std::string &name, const LightValues &li
     vector(".diffuse", light.diffuse);
     vector(".specular", light.specular);
     vector(".half_vector", light.half_vector);
-    number(".specular_share", light.specular_share);
-    number(".constant", light.attenuation.constant);
-    number(".linear", light.attenuation.linear);
-    number(".quadratic", light.attenuation.quadratic);
+    put_shared(sink, name + ".", light);
     number(".cos_cutoff", light.cos_cutoff);
     number(".cos_inner_cutoff", light.cos_inner_cutoff);
     number(".sin2_cutoff", light.sin2_cutoff);

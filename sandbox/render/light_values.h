@@ -25,6 +25,9 @@ struct LightValues {
 LightValues light_values(const Scene &scene, const ObjectLight &on_object, const Material &material,
                          const EyeSpace &space);
 
+/// What lights of a kind may have in common: "point_constant", or a member of one of them.
+void put_shared(UniformSink &sink, const std::string &prefix, const LightValues &light);
+
 /// All of one light's members, below `name` ("point_lights[0]").
 void put_light(UniformSink &sink, const std::string &name, const LightValues &light);
 

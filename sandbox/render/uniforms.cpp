@@ -24,8 +24,11 @@ void put_lights(UniformSink &sink, const ObjectDraw &draw) {
         const int first = all;
         for (const ObjectLight &light : draw.prepared.lights.of_kind[kind.type]) {
             const std::string index = std::to_string(program.is_full() ? all : all - first);
-            put_light(sink, light_uniform(program, kind, index),
-                      light_values(draw.scene, light, draw.object.material, draw.prepared.space));
+            const LightValues values = light_values(draw.scene, light, draw.object.material, draw.prepared.space);
+            put_light(sink, light_uniform(program, kind, index), values);
+            if (all == first) {
+                put_shared(sink, fmt::format("{}_", kind.word), values);
+            }
             ++all;
         }
         if (program.is_full()) {

@@ -223,8 +223,9 @@ void derive_what_shows(Features &f, const Technique &technique) {
     }
 }
 
-/// Where both terms are added to one sum, one number can stand for the second colour.
-void derive_one_color(Features &f, const Scene &scene, const Material &material, const ObjectLights &lights) {
+/// Where both terms are added to one sum, one number can stand for the second colour. What all lights of a kind share
+/// is one uniform.
+void derive_what_is_one(Features &f, const Scene &scene, const Material &material, const ObjectLights &lights) {
     const Technique &shown = f.technique;
     const bool one_sum = shown.frequency != Frequency::hybrid && (!f.has_base() || f.base_times_specular);
     const bool rounds_in_order = shown.precision == Precision::medium;
@@ -239,6 +240,18 @@ void derive_one_color(Features &f, const Scene &scene, const Material &material,
         LightFeatures &light = f.lights[kind.type];
         light.one_color = one_sum && !rounds_in_order && light.diffuse && light.specular &&
                           std::ranges::all_of(lights.of_kind[kind.type], has_one_color);
+        const auto same = [&](const auto &value_of) {
+            const auto &all = lights.of_kind[kind.type];
+            return all.size() > 1 && !rounds_in_order && std::ranges::all_of(all, [&](const ObjectLight &light) {
+                       return value_of(light, scene.lights[light.index]) ==
+                              value_of(all[0], scene.lights[all[0].index]);
+                   });
+        };
+        light.one_share = light.one_color && same([](const ObjectLight &use, const Light &given) {
+                              return use.specular_factor * given.specular / (use.diffuse_factor * given.diffuse);
+                          });
+        light.one_attenuation =
+            light.attenuated() && same([](const ObjectLight &, const Light &given) { return given.attenuation; });
     }
 }
 
@@ -324,7 +337,7 @@ Features derive_features(const Scene &scene, const Technique &given, const Objec
     derive_highlights(f, scene, technique, object.material);
     derive_normals(f, technique, object, mesh, space);
     derive_what_shows(f, technique);
-    derive_one_color(f, scene, object.material, lights);
+    derive_what_is_one(f, scene, object.material, lights);
     const bool lights_pixels = technique.frequency == Frequency::per_pixel || technique.frequency == Frequency::hybrid;
     f.wide = lights_pixels && technique.position == LightingPosition::world && is_wide(scene, object, mesh);
     if (technique.program == Program::baked) {
@@ -378,6 +391,7 @@ Features program_features(const Features &object) {
     all.exponent = Exponent::stable;
     all.wide = object.wide;
     all.deep = object.deep;
+    all.invariant = object.invariant;
     all.object_ids = object.object_ids;
     all.shown = object.shown;
     all.srgb = object.srgb;

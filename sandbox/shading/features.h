@@ -22,9 +22,11 @@ struct LightFeatures {
     bool diffuse = false;
     bool specular = false;
     bool one_color = false; ///< of each light, specular is so many times diffuse
+    bool one_share = false; ///< ... and of all as many
     bool constant = false;  ///< attenuation coefficients that are in use
     bool linear = false;
     bool quadratic = false;
+    bool one_attenuation = false;   ///< several lights, all with the same coefficients
     bool floor = false;             ///< the denominator can fall below its floor
     bool on_surface = false;        ///< a light may lie on the surface: L = N where d = 0
     bool given_half_vector = false; ///< one H per light, the same everywhere
@@ -73,6 +75,7 @@ struct Features {
     bool wide = false;         ///< positions are found from the pixel, not interpolated
     bool deep = false;         ///< depth is stored as a logarithm
     bool mediump = false;      ///< GLSL ES: the fragment stage's floats are declared so
+    bool invariant = false;    ///< another program draws the triangles beside: no pixel between may be missed
     OwnFeatures own;
     bool object_ids = false;
     bool shown = false;                                 ///< writes what a screen shows, not linear light:

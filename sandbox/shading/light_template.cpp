@@ -15,13 +15,28 @@ std::string type_name(const Features &program, const LightKind &kind) {
     return program.is_full() ? "Light" : fmt::format("{}{}Light", first, kind.word.substr(1));
 }
 
-std::string attenuation_denominator(const LightFeatures &f, const std::string &light) {
+/// "point_" where all lights of the kind share the coefficients, else "light." or, with an index, an element's name.
+std::string coefficients(const LightPart &light, const std::string &one) {
+    return light.features.one_attenuation ? fmt::format("{}_", light.kind.word) : one + ".";
+}
+
+/// By Horner's rule; half-float programs round in the textbook's order.
+std::string attenuation_denominator(const LightPart &light, const std::string &one) {
+    const LightFeatures &f = light.features;
+    const std::string of = coefficients(light, one);
+    const bool nested = f.linear && f.quadratic && !light.rounded;
     std::vector<std::string> terms;
-    for (const auto &[there, term] :
-         {std::pair{f.constant, ".constant"}, {f.linear, ".linear * d"}, {f.quadratic, ".quadratic * d * d"}}) {
-        if (there) {
-            terms.push_back(light + term);
-        }
+    if (f.constant) {
+        terms.push_back(of + "constant");
+    }
+    if (nested) {
+        terms.push_back(fmt::format("d * ({0}linear + {0}quadratic * d)", of));
+    }
+    if (f.linear && !nested) {
+        terms.push_back(of + "linear * d");
+    }
+    if (f.quadratic && !nested) {
+        terms.push_back(of + "quadratic * d * d");
     }
     return sum_of(terms, "1.0");
 }
@@ -143,7 +158,9 @@ void add_sums(TemplateValues &values, const LightPart &light) {
     const std::string facing = fmt::format("max({}, 0.0)", incidence);
     const std::string specular = full ? "shine" : faded("light.specular", "highlight");
     if (light.features.one_color && n.adds_diffuse) {
-        fading.push_back(faded("light.diffuse", fmt::format("({} + light.specular_share * highlight)", facing)));
+        const std::string share =
+            light.features.one_share ? fmt::format("{}_", light.kind.word) : std::string("light.");
+        fading.push_back(faded("light.diffuse", fmt::format("({} + {}specular_share * highlight)", facing, share)));
     } else {
         if (n.adds_diffuse) {
             fading.push_back(faded("light.diffuse", facing));
@@ -181,6 +198,8 @@ void add_array(TemplateValues &values, const LightKind &kind, const Features &pr
                {"diffuse", has.diffuse},
                {"specular", has.specular},
                {"one_color", has.one_color},
+               {"one_share", has.one_share},
+               {"one_attenuation", has.one_attenuation},
                {"given_half_vector", has.given_half_vector},
                {"constant", has.constant},
                {"linear", has.linear},
@@ -226,7 +245,7 @@ void add_light(TemplateValues &values, const LightPart &light) {
                {"finds_attenuation", n.finds_attenuation},
                {"uses_cone", n.uses_cone}});
     const std::string uniform = light_uniform(light.program, light.kind, "i");
-    const std::string denominator = attenuation_denominator(has, uniform);
+    const std::string denominator = attenuation_denominator(light, uniform);
     add_texts(
         values, light.kind.word,
         {{"kind", std::string(light.kind.word)},
@@ -235,7 +254,7 @@ void add_light(TemplateValues &values, const LightPart &light) {
          {"uniform", uniform},
          {"calls", calls(light, values, loops)},
          {"parameters", light_parameters(light, values, "").first},
-         {"denominator", attenuation_denominator(has, "light")},
+         {"denominator", attenuation_denominator(light, "light")},
          {"safe_denominator", has.floor ? fmt::format("max({}, 1e-6)", denominator) : fmt::format("({})", denominator)},
          {"distance", n.finds_distance ? "d" : "length(to_light)"},
          {"highlight", highlight(light)}});
