@@ -18,6 +18,9 @@ layout(location = 4) in vec3 a_color;
 
 #choices
 
+#if invariant
+invariant gl_Position; // two programs draw triangles that share edges
+#endif
 uniform mat4 model_view_projection;
 #if own.at_vertices
 #include "own_shading.glsl"

@@ -64,6 +64,7 @@ Overlays on_surfaces(Overlays overlays, Layout layout) {
     return {.wireframe = overlays.wireframe,
             .normals = shown && overlays.normals,
             .vertices = shown && overlays.vertices,
+            .proved = shown && overlays.proved,
             .lights = false};
 }
 

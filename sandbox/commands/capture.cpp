@@ -143,9 +143,11 @@ PictureOptions picture_options(const CaptureFlags &flags) {
     for (const OverlayKind &kind : overlay_kinds) {
         options.drawn_over.*kind.on = options.drawn_over.*kind.on || flags.overlays.*kind.on;
     }
-    if (options.layout == Layout::difference && (flags.overlays.normals || flags.overlays.vertices)) {
-        throw InputError("--{}: a difference shows what is measured, and has the wireframe at most",
-                         flags.overlays.normals ? "normals" : "vertices");
+    for (const OverlayKind &kind : overlay_kinds) {
+        const bool on_surface = kind.on != &Overlays::wireframe && kind.on != &Overlays::lights;
+        if (options.layout == Layout::difference && on_surface && flags.overlays.*kind.on) {
+            throw InputError("--{}: a difference shows what is measured, and has the wireframe at most", kind.word);
+        }
     }
     options.masks = options.masks || flags.masks;
     take_marks(options.marks, flags);

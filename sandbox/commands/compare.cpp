@@ -3,6 +3,7 @@
 #include "commands/own_flags.h"
 #include "commands/progress_bar.h"
 #include "commands/session.h"
+#include "measure/metrics/certificate_figures.h"
 #include "measure/metrics/metrics.h"
 #include "shading/prepared_object.h"
 
@@ -96,6 +97,23 @@ nlohmann::ordered_json figures(const Comparison &comparison, Size size) {
     return json;
 }
 
+/// Of the left technique, where its frequency is auto: `auto_bound` and the like.
+void add_certificate(nlohmann::ordered_json &json, const Scene &scene, const Technique &technique, Size size,
+                     Resources &resources) {
+    if (technique.frequency != Frequency::automatic) {
+        return;
+    }
+    const std::vector<ObjectResources> loaded = resources.load(scene);
+    const auto picture = [&](const Technique &drawn) { return render_reference(scene, loaded, drawn, size); };
+    const CertificateFigures figures = certificate_figures(scene, loaded, technique, picture(technique),
+                                                           picture(part_of_auto(technique, Frequency::per_pixel)));
+    for (const Quantity<CertificateFigures> &quantity : certificate_quantities) {
+        json[fmt::format("auto_{}", quantity.name)] = quantity_json<nlohmann::ordered_json>(quantity, figures);
+    }
+    json["auto_nothing_proved"] =
+        figures.nothing_proved.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(figures.nothing_proved);
+}
+
 /// The settings that are on, at the left or the right, and change no pixel of the scene on any side where they are.
 nlohmann::ordered_json no_effect(const Scene &scene, const Technique &left, const Technique &right) {
     nlohmann::ordered_json keys = nlohmann::ordered_json::array();
@@ -124,7 +142,7 @@ std::string human_table(const nlohmann::ordered_json &figures) {
                                  : value.is_null()       ? (key == "psnr" ? "infinite" : "none")
                                  : value.is_string()     ? value.get<std::string>()
                                                          : value.dump();
-        table += fmt::format("{:<22}{}\n", key, text);
+        table += fmt::format("{:<26}{}\n", key, text);
     }
     return table;
 }
@@ -165,6 +183,7 @@ int run_compare(const CompareFlags &flags, const CommonOptions &common) {
         to_reference ? compare_to_reference(drawn, scene, right, flags.size, session.renderer().resources())
                      : Comparison{compare(drawn, session.renderer().render(scene, right, flags.size, true))};
     nlohmann::ordered_json all = figures(comparison, flags.size);
+    add_certificate(all, scene, left, flags.size, session.renderer().resources());
     all["no_effect"] = no_effect(scene, left, right);
     const auto resources = session.renderer().resources().load(scene);
     all["same_picture"] = !to_reference && same_picture(scene, left, right, resources);
@@ -214,6 +233,9 @@ void add_compare(CLI::App &app, CommonOptions &common, Run &run) {
         "  worst_pixel_rounding  how far the reference's colour moves there when float32 rounds the\n"
         "                        corners of the triangle: no float32 renderer can promise less\n"
         "  reason                why the errors say little, or are none: less than half is compared\n"
+        "  auto_...              of a left technique with the frequency auto: its promise (tolerance), what is\n"
+        "                        proved (bound), the true error beside per-pixel on the same mesh, the share\n"
+        "                        of the area seen that is lit per vertex, its triangles, the time to choose\n"
         "  no_effect             keys that are on and cannot change a pixel of this scene\n"
         "  same_picture          both techniques draw the scene with the same programs and numbers");
     run_when_chosen(command, common, run, flags, run_compare);

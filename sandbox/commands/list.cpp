@@ -59,6 +59,7 @@ ordered_json list_values(const TechniqueKey &key) {
 ordered_json list_techniques() {
     ordered_json techniques{{"frequencies", list_values(frequency_key)},
                             {"models", list_values(model_key)},
+                            {"tolerance", tolerance_doc},
                             {"keys", ordered_json::array()}};
     for (const TechniqueKey &key : technique_settings) {
         techniques["keys"].push_back(
@@ -100,7 +101,8 @@ std::string human_text(const ordered_json &all) {
                       section("Exercises", table(all["exercises"], "about", 2)) +
                       "Techniques: FREQUENCY/MODEL[:key=value[,key=value]], the first value of a key is its default\n" +
                       section("  Frequencies", table(techniques["frequencies"], "doc", 4)) +
-                      section("  Models", table(techniques["models"], "doc", 4)) + "  Keys\n";
+                      section("  Models", table(techniques["models"], "doc", 4)) +
+                      fmt::format("  Keys\n    {}: {}\n", tolerance_name, tolerance_doc);
     for (const ordered_json &key : techniques["keys"]) {
         out += fmt::format("    {}: {}\n{}", key["name"].get<std::string>(), key["doc"].get<std::string>(),
                            table(key["values"], "doc", 6));

@@ -39,8 +39,8 @@ Side side_of(const Object &object, const Triangle &on_screen) {
 Fragment::Fragment(const MeshScene &scene, const Hit &hit, double x, double y)
     : Sampler(scene.objects[hit.object - 1].setup, *scene.objects[hit.object - 1].object),
       mesh_(scene.objects[hit.object - 1]), on_screen_(scene.raster[hit.object - 1].triangle(hit.triangle)),
-      triangle_index_(hit.triangle), triangle_(mesh_.mesh->triangles[hit.triangle]),
-      side_(side_of(*mesh_.object, on_screen_)),
+      triangle_index_(hit.triangle), frequency_(mesh_.frequency(hit.triangle)),
+      triangle_(mesh_.mesh->triangles[hit.triangle]), side_(side_of(*mesh_.object, on_screen_)),
       lit_(mesh_.object->two_sided && side_ == Side::back ? mesh_.back : mesh_.front), x_(x), y_(y),
       here_(point_at(0, 0)) {}
 
@@ -57,7 +57,7 @@ SurfacePoint Fragment::point_at(double dx, double dy) const {
         point.normal_length = glm::length(point.raw_normal);
         point.raw_normal = unit(point.raw_normal);
     }
-    if (setup_.technique.frequency == Frequency::interpolated_vectors) {
+    if (frequency_ == Frequency::interpolated_vectors) {
         point.view = blend(point.weights, corner(0).view, corner(1).view, corner(2).view);
         point.view_length = glm::length(point.view);
         point.view = unit(point.view);
@@ -85,7 +85,7 @@ SurfacePoint Fragment::corner(int i) const {
 }
 
 LightVectors Fragment::vectors(const SurfacePoint &point, std::size_t light) const {
-    if (setup_.technique.frequency == Frequency::interpolated_vectors) {
+    if (frequency_ == Frequency::interpolated_vectors) {
         return interpolated_vectors(point, light);
     }
     const LightSetup &setup = setup_.lights[light];
@@ -151,10 +151,10 @@ Varyings Fragment::varyings() const {
                       .color = mesh.colors.empty() ? glm::dvec3(1) : blend(here_.weights, mesh.colors, triangle_),
                       .colored = !mesh.colors.empty(),
                       .side = side_};
-    if (technique.frequency == Frequency::hybrid) {
+    if (frequency_ == Frequency::hybrid) {
         varyings.light = interpolated_light(&Reflected::body);
     }
-    if (technique.frequency == Frequency::interpolated_vectors || technique.attenuation != AttenuationAt::exact) {
+    if (frequency_ == Frequency::interpolated_vectors || technique.attenuation != AttenuationAt::exact) {
         for (std::size_t i = 0; i < setup_.lights.size(); ++i) {
             varyings.vectors.push_back(blended_vectors(here_, i));
         }
@@ -168,7 +168,7 @@ glm::dvec3 Fragment::interpolated_light(glm::dvec3 Reflected::*part) const {
 }
 
 Reflected Fragment::reflected() const {
-    switch (setup_.technique.frequency) {
+    switch (frequency_) {
     case Frequency::flat:
         return lit_.light[triangle_index_];
     case Frequency::per_vertex:
@@ -177,6 +177,7 @@ Reflected Fragment::reflected() const {
         return {interpolated_light(&Reflected::body), reflect(Terms::highlight, here_).highlight};
     case Frequency::per_pixel:
     case Frequency::interpolated_vectors:
+    case Frequency::automatic: // chosen: see frequency_
         break;
     }
     return reflect(Terms::all, here_);
@@ -199,7 +200,7 @@ glm::dvec3 Fragment::color() const {
 }
 
 SurfacePoint Fragment::evaluated_point() const {
-    const bool flat = setup_.technique.frequency == Frequency::flat;
+    const bool flat = frequency_ == Frequency::flat;
     return flat ? centroid(setup_, mesh_, triangle_, side_).point_at(0, 0) : here_;
 }
 
@@ -256,7 +257,7 @@ Doubts Fragment::doubts() const {
         }
         return sum;
     };
-    switch (setup_.technique.frequency) {
+    switch (frequency_) {
     case Frequency::flat:
         return lit_.doubts[triangle_index_];
     case Frequency::per_vertex:
@@ -270,6 +271,7 @@ Doubts Fragment::doubts() const {
         return sum += Sampler::doubts(Terms::all, here_);
     }
     case Frequency::per_pixel:
+    case Frequency::automatic: // chosen: see frequency_
         break;
     }
     return Sampler::doubts(Terms::all, here_);

@@ -44,6 +44,7 @@ class Fragment : public Sampler {
     const MeshObject &mesh_;
     Triangle on_screen_;
     std::size_t triangle_index_;
+    Frequency frequency_; ///< of this triangle
     glm::uvec3 triangle_;
     Side side_;
     const Lit &lit_;

@@ -1,5 +1,6 @@
 #include "reference/mesh_scene.h"
 
+#include "certificate/choice.h"
 #include "scene/space.h"
 #include "shading/eye_space.h"
 
@@ -99,6 +100,7 @@ MeshObject prepare_object(const Setup &shared, const Scene &scene, const Object 
         light_faces(setup, prepared);
         break;
     case Frequency::per_vertex:
+    case Frequency::automatic:
         light_vertices(setup, prepared, Terms::all);
         break;
     case Frequency::hybrid:
@@ -126,6 +128,13 @@ IsolatedPoint centroid(const Setup &setup, const MeshObject &object, const glm::
             object.to_world.normal(face_normal(*object.mesh, triangle)), side};
 }
 
+Frequency MeshObject::frequency(std::size_t triangle) const {
+    const Frequency asked = setup.technique.frequency;
+    return asked != Frequency::automatic                ? asked
+           : chosen[triangle] == certificate::per_pixel ? Frequency::per_pixel
+                                                        : Frequency::per_vertex;
+}
+
 MeshScene prepare_meshes(const Scene &scene, const std::vector<ObjectResources> &resources, const Technique &technique,
                          Size size, const HighValues &high) {
     MeshScene meshes;
@@ -134,6 +143,13 @@ MeshScene prepare_meshes(const Scene &scene, const std::vector<ObjectResources> 
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         meshes.objects.push_back(prepare_object(meshes.setup, scene, scene.objects[i], resources[i]));
         meshes.raster.push_back(to_pixels(meshes.objects.back(), resources[i].window_grid, scene.camera, size));
+    }
+    if (technique.frequency == Frequency::automatic) {
+        certificate::Choice choice =
+            certificate::choose(scene, resources, technique, technique.tolerance, aspect_of(size));
+        for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+            meshes.objects[i].chosen = std::move(choice.objects[i].per_vertex);
+        }
     }
     return meshes;
 }

@@ -12,8 +12,8 @@
 /// The meshes of a scene, with what the technique computes before there are pixels: per vertex or per triangle.
 namespace sandbox::reference {
 
-/// What a technique computes before there are pixels. flat: one of each per triangle; per-vertex, hybrid: one per
-/// vertex; else empty.
+/// What a technique computes before there are pixels. flat: one of each per triangle; per-vertex, hybrid, auto: one
+/// per vertex; else empty.
 struct Lit {
     std::vector<Reflected> light;
     std::vector<Doubts> doubts;
@@ -28,6 +28,10 @@ struct MeshObject {
     std::vector<glm::dvec3> positions; ///< one per vertex, as lit, from the eye
     std::vector<glm::dvec3> normals;   ///< one per vertex, unit, world axes
     Lit front, back;                   ///< as each side is seen; `back` of two-sided objects only
+    std::vector<std::uint8_t> chosen;  ///< auto: values of certificate::ObjectChoice::per_vertex
+
+    /// How a triangle is lit: the technique's frequency or what `auto` chose.
+    [[nodiscard]] Frequency frequency(std::size_t triangle) const;
 };
 
 struct MeshScene {

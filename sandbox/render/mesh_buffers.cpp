@@ -36,6 +36,11 @@ template <typename ValueAt> Buffer make_attribute(const Mesh &mesh, bool flat, c
 
 } // namespace
 
+Buffer make_index_buffer(const std::vector<glm::uvec3> &triangles) {
+    glBindVertexArray(0); // whose indices these would become
+    return make_filled(GL_ELEMENT_ARRAY_BUFFER, triangles);
+}
+
 VertexArray MeshBuffers::make_array(const VertexAttributes &attributes) {
     const Mesh &mesh = *mesh_;
     const bool flat = attributes.flat;
@@ -79,7 +84,7 @@ VertexArray MeshBuffers::make_array(const VertexAttributes &attributes) {
     return array;
 }
 
-void MeshBuffers::draw(const VertexAttributes &attributes) {
+void MeshBuffers::draw(const VertexAttributes &attributes, const std::optional<TrianglePart> &part) {
     auto found = arrays_.find(attributes);
     if (found == arrays_.end()) {
         found = arrays_.emplace(attributes, make_array(attributes)).first;
@@ -88,6 +93,12 @@ void MeshBuffers::draw(const VertexAttributes &attributes) {
     const auto corners = static_cast<GLsizei>(mesh_->triangles.size() * 3);
     if (attributes.flat) {
         glDrawArrays(GL_TRIANGLES, 0, corners);
+    } else if (part) {
+        const std::size_t offset = part->first * sizeof(glm::uvec3);
+        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, part->indices);
+        glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(part->count * 3), GL_UNSIGNED_INT,
+                       reinterpret_cast<const void *>(offset)); // NOLINT(performance-no-int-to-ptr): OpenGL's way
+        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, shared_.indices.id());
     } else {
         glDrawElements(GL_TRIANGLES, corners, GL_UNSIGNED_INT, nullptr);
     }

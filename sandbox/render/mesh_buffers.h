@@ -13,6 +13,15 @@
 
 namespace sandbox {
 
+/// Triangles of a mesh, one after the other in an index buffer of their own.
+struct TrianglePart {
+    unsigned indices;
+    std::size_t first, count; ///< triangles
+};
+
+/// The indices of triangles, in their order.
+Buffer make_index_buffer(const std::vector<glm::uvec3> &triangles);
+
 /// A mesh on the GPU: a buffer for each attribute, made when a program first needs it.
 class MeshBuffers {
   public:
@@ -22,8 +31,8 @@ class MeshBuffers {
         : given_(std::move(mesh)), mesh_(with_near_uvs(given_)), origin_(origin) {}
     /// Does nobody else hold the mesh that these buffers and their owner's key name?
     [[nodiscard]] bool unused() const { return given_.use_count() <= (mesh_ == given_ ? 3 : 2); }
-    /// Draws all triangles with the program and framebuffer in use.
-    void draw(const VertexAttributes &attributes);
+    /// Draws all triangles or, of shared vertices, a part of them, with the program and framebuffer in use.
+    void draw(const VertexAttributes &attributes, const std::optional<TrianglePart> &part = {});
     /// Each edge of a triangle once, as a line.
     void draw_edges();
     /// What is marked of the mesh as given: see marked_vertices() and thinned_out().

@@ -7,6 +7,7 @@
 #include "render/program_cache.h"
 #include "render/seen_part.h"
 #include "render/segment_pass.h"
+#include "render/split_meshes.h"
 #include "render/uniforms.h"
 #include "render/window_grid.h"
 #include "scene/space.h"
@@ -85,12 +86,17 @@ ObjectDraw draw_of(const Scene &scene, std::size_t object, const Mesh &mesh, con
             canvas.shown ? canvas.shown->exposure : 1};
 }
 
-/// Where a wireframe's lines lie: nearer than the surface that they lie on, by what keeps them in front of it. A line's
-/// pixels lie up to half a pixel beside it, where a surface seen at up to 86 degrees from its normal is nearer by
-/// tan(86 degrees) = 14 times that.
-void put_lifted(const GlProgram &program, const Scene &scene, const EyeSpace &space, Size size, bool deep) {
+/// A line's pixels lie up to half a pixel beside it, where a surface seen at up to 86 degrees from its normal is nearer
+/// by tan(86 degrees) = 14 times that.
+constexpr double lines_lift = 7;
+/// What covers a surface's own pixels need but be in front of how depth is rounded.
+constexpr double stripes_lift = 0.1;
+
+/// Where what lies on a surface is drawn: nearer than it by so many pixels, which keeps it in front.
+void put_lifted(const GlProgram &program, const Scene &scene, const EyeSpace &space, Size size, bool deep,
+                double pixels) {
     const Camera &camera = scene.camera;
-    const double lift = 14 * view_height(camera, 1) / 2 / size.height; // perspective: a share of the distance
+    const double lift = pixels * view_height(camera, 1) / size.height; // perspective: a share of the distance
     glm::dmat4 to_clip = model_view_projection(scene, space, aspect_of(size));
     if (deep) {
         to_clip = without_depth(to_clip);
@@ -111,7 +117,7 @@ void set_culling(const Camera &camera, const Object &object, const Mesh &mesh, d
 }
 
 /// Pixels of a picture 720 high, and as many more as one is higher.
-constexpr double normal_width = 2, vertex_width = 5;
+constexpr double normal_width = 2, vertex_width = 5, stripe = 12;
 
 } // namespace
 
@@ -140,7 +146,7 @@ struct Renderer::Impl {
         return draw.prepared.program.is_baked() ? uniform_values(draw) : UniformValues{};
     }
 
-    void draw_object(const ObjectDraw &draw, const ObjectResources &own) {
+    void draw_object(const ObjectDraw &draw, const ObjectResources &own, const std::optional<TrianglePart> &triangles) {
         require_drawable(draw.prepared.features, draw.object);
         const GlProgram &program = programs.get(draw.prepared.program, constants(draw));
         glUseProgram(program.id());
@@ -151,13 +157,19 @@ struct Renderer::Impl {
             glBindTexture(GL_TEXTURE_2D, own.texture != nullptr ? texture(own.texture) : 0);
         }
         set_culling(draw.scene.camera, draw.object, draw.mesh, draw.aspect());
-        buffers(own.mesh).draw(draw.prepared.needs.attributes);
+        buffers(own.mesh).draw(draw.prepared.needs.attributes, triangles);
     }
 
+    /// An object or, under `auto`, a part of it.
+    struct Part {
+        std::size_t object;
+        PreparedObject prepared;
+        std::optional<TrianglePart> triangles{};
+    };
     /// What a scene's objects are drawn with.
     struct Prepared {
         std::vector<ObjectResources> loaded;
-        std::vector<PreparedObject> objects;
+        std::vector<Part> parts;
     };
     Prepared prepare(const Scene &scene, const Technique &technique, const Canvas &canvas, DrawOptions options) {
         Prepared prepared{resources.load(scene), {}};
@@ -167,8 +179,28 @@ struct Renderer::Impl {
         if (options.guarded) {
             prepared.loaded = seen_parts(scene, technique, std::move(prepared.loaded), aspect_of(canvas.size));
         }
-        prepared.objects = prepare_objects(scene, technique, prepared.loaded, options);
+        if (technique.frequency == Frequency::automatic) {
+            add_split(prepared, scene, technique, canvas, options);
+            return prepared;
+        }
+        for (PreparedObject &object : prepare_objects(scene, technique, prepared.loaded, options)) {
+            prepared.parts.push_back({prepared.parts.size(), std::move(object)});
+        }
         return prepared;
+    }
+    void add_split(Prepared &prepared, const Scene &scene, const Technique &technique, const Canvas &canvas,
+                   DrawOptions options) {
+        const std::vector<SplitMesh> &split = splits.of(scene, technique, prepared.loaded, canvas.size);
+        for (std::size_t i = 0; i < split.size(); ++i) {
+            for (const Frequency frequency : {Frequency::per_vertex, Frequency::per_pixel}) {
+                options.part = frequency;
+                if (const TrianglePart triangles = split[i].part(frequency); triangles.count > 0) {
+                    const Mesh &mesh = *prepared.loaded[i].mesh;
+                    prepared.parts.push_back(
+                        {i, prepare_object(scene, technique, scene.objects[i], mesh, options), triangles});
+                }
+            }
+        }
     }
 
     [[nodiscard]] bool drawn_elsewhere(const Technique &technique) const {
@@ -186,11 +218,12 @@ struct Renderer::Impl {
         if (drawn_elsewhere(technique)) {
             throw std::logic_error("own shading is drawn elsewhere");
         }
-        const auto [loaded, prepared] = prepare(scene, technique, canvas, options);
+        const auto [loaded, parts_drawn] = prepare(scene, technique, canvas, options);
         const PassState pass(canvas.framebuffer, canvas.size, DepthTest::on);
         clear(scene, canvas);
-        for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-            draw_object(draw_of(scene, i, *loaded[i].mesh, prepared[i], canvas), loaded[i]);
+        for (const Part &part : parts_drawn) {
+            const ObjectResources &own = loaded[part.object];
+            draw_object(draw_of(scene, part.object, *own.mesh, part.prepared, canvas), own, part.triangles);
         }
         forget_unused();
     }
@@ -200,8 +233,11 @@ struct Renderer::Impl {
     bool grid_is_known = false; ///< measured_window_grid() has been called for them
     ShaderParts parts;
     ProgramCache programs;
+    SplitMeshes splits;
     std::map<std::shared_ptr<const Mesh>, MeshBuffers> meshes;
     std::map<std::shared_ptr<const Image>, Texture> textures;
+    /// Stripes on what `auto` lights per vertex.
+    void draw_proved(const Scene &scene, const Technique &technique, const glm::vec3 &color, Target &target);
     /// Normals, or else vertices, over what the target shows.
     void draw_marks(const Scene &scene, const Technique &technique, bool normals, const glm::vec3 &color,
                     Target &target);
@@ -245,6 +281,30 @@ void Renderer::Impl::draw_marks(const Scene &scene, const Technique &technique, 
     }
 }
 
+void Renderer::Impl::draw_proved(const Scene &scene, const Technique &technique, const glm::vec3 &color,
+                                 Target &target) {
+    if (technique.frequency != Frequency::automatic) {
+        return;
+    }
+    const auto loaded = resources.load(scene);
+    const Size size = target.size();
+    const std::vector<SplitMesh> &split = splits.of(scene, technique, loaded, size);
+    const bool deep = is_deep(scene, loaded);
+    const GlProgram &program = programs.overlay("hatch", deep);
+    const PassState pass(target.framebuffer(), size, DepthTest::on);
+    glDepthFunc(GL_LEQUAL);
+    glUseProgram(program.id());
+    program.set("line_color", color);
+    program.set("stripe", static_cast<float>(stripe * std::max(1.0, size.height / 720.0)));
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const Object &object = scene.objects[i];
+        const EyeSpace space = eye_space(scene, object, *loaded[i].mesh);
+        put_lifted(program, scene, space, size, deep, stripes_lift);
+        set_culling(scene.camera, object, *loaded[i].mesh, aspect_of(size));
+        buffers(loaded[i].mesh).draw({}, split[i].part(Frequency::per_vertex));
+    }
+}
+
 Renderer::Renderer(Assets assets, ShaderParts parts)
     : impl_(std::make_unique<Impl>(std::move(assets), std::move(parts))) {}
 Renderer::~Renderer() = default;
@@ -267,11 +327,11 @@ std::vector<Features> Renderer::missing_programs(const Scene &scene, const Techn
                                                  const std::optional<DisplayMap> &map) {
     std::vector<Features> missing;
     const Canvas canvas{0, size, false, map};
-    const auto [loaded, prepared] = impl_->prepare(scene, technique, canvas, {});
-    for (std::size_t i = 0; i < prepared.size(); ++i) {
-        if (!impl_->programs.has(prepared[i].program,
-                                 Impl::constants(draw_of(scene, i, *loaded[i].mesh, prepared[i], canvas)))) {
-            missing.push_back(prepared[i].program);
+    const auto [loaded, parts] = impl_->prepare(scene, technique, canvas, {});
+    for (const auto &[object, prepared, triangles] : parts) {
+        if (!impl_->programs.has(prepared.program,
+                                 Impl::constants(draw_of(scene, object, *loaded[object].mesh, prepared, canvas)))) {
+            missing.push_back(prepared.program);
         }
     }
     return missing;
@@ -316,7 +376,7 @@ void Renderer::draw_wireframe(const Scene &scene, Target &target, glm::vec3 colo
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object &object = scene.objects[i];
         const EyeSpace space = eye_space(scene, object, *resources[i].mesh);
-        put_lifted(program, scene, space, target.size(), deep);
+        put_lifted(program, scene, space, target.size(), deep, lines_lift);
         impl_->buffers(resources[i].mesh).draw_edges();
     }
 }
@@ -328,6 +388,8 @@ void Renderer::draw_overlays(const Scene &scene, const Technique &technique, con
         }
         if (kind.on == &Overlays::wireframe) {
             draw_wireframe(scene, target, kind.color);
+        } else if (kind.on == &Overlays::proved) {
+            impl_->draw_proved(scene, technique, kind.color, target);
         } else {
             impl_->draw_marks(scene, technique, kind.on == &Overlays::normals, kind.color, target);
         }

@@ -8,8 +8,8 @@
 namespace sandbox {
 
 struct Overlays {
-    bool wireframe = false, normals = false, vertices = false; ///< on surfaces, which hide them
-    bool lights = false;                                       ///< over all
+    bool wireframe = false, normals = false, vertices = false, proved = false; ///< on surfaces, which hide them
+    bool lights = false;                                                       ///< over all
     bool operator==(const Overlays &) const = default;
 };
 
@@ -27,6 +27,12 @@ inline constexpr std::array overlay_kinds{
     OverlayKind{
         &Overlays::normals, "normals", "normals", "normals as each side transforms them", 'N', {0.1F, 0.8F, 1.0F}},
     OverlayKind{&Overlays::vertices, "vertices", "vertices", "a dot at each vertex", 'V', {1.0F, 0.7F, 0.05F}},
+    OverlayKind{&Overlays::proved,
+                "proved",
+                "lit per vertex",
+                "stripes where the frequency auto has proved that lighting the vertices is enough",
+                'Q',
+                {0.1F, 0.9F, 0.3F}},
     OverlayKind{&Overlays::lights, "lights", "lights in the pictures", "lamps, cones and directions of light", 'I'},
 };
 

@@ -2,8 +2,9 @@
 
 namespace sandbox {
 
-PreparedObject prepare_object(const Scene &scene, const Technique &technique, const Object &object, const Mesh &mesh,
+PreparedObject prepare_object(const Scene &scene, const Technique &given, const Object &object, const Mesh &mesh,
                               const DrawOptions &options) {
+    const Technique technique = part_of_auto(given, options.part);
     PreparedObject prepared;
     prepared.space = eye_space(scene, object, mesh, technique, options.guarded);
     prepared.lights = lights_on_object(scene, technique, object);
@@ -17,6 +18,7 @@ PreparedObject prepare_object(const Scene &scene, const Technique &technique, co
     }
     features.deep = options.deep || is_deep(scene.camera);
     features.mediump = options.mediump;
+    features.invariant = given.frequency == Frequency::automatic;
     if (!options.guarded) {
         features = without_guards(features);
     }
@@ -47,7 +49,8 @@ std::vector<Features> object_features(const Scene &scene, const Technique &techn
 
 bool same_picture(const Scene &scene, const Technique &a, const Technique &b,
                   const std::vector<ObjectResources> &resources) {
-    return a == b || object_features(scene, a, resources) == object_features(scene, b, resources);
+    return a == b ||
+           (a.tolerance == b.tolerance && object_features(scene, a, resources) == object_features(scene, b, resources));
 }
 
 } // namespace sandbox

@@ -20,13 +20,14 @@ struct PreparedObject {
 /// What a draw asks of its programs beside scene and technique.
 struct DrawOptions {
     bool object_ids = false;
-    std::optional<DisplayMap> shown{}; ///< drawn as a screen shows it; none: as linear light
-    bool deep = false;                 ///< what is_deep(scene, resources) says; the camera alone may make it so too
-    bool guarded = true;               ///< false: without_guards()
-    bool mediump = false;              ///< as in Features
+    std::optional<DisplayMap> shown{};     ///< drawn as a screen shows it; none: as linear light
+    bool deep = false;                     ///< what is_deep(scene, resources) says; the camera alone may make it so too
+    bool guarded = true;                   ///< false: without_guards()
+    bool mediump = false;                  ///< as in Features
+    Frequency part = Frequency::per_pixel; ///< of `auto`: which of its two
 };
 
-PreparedObject prepare_object(const Scene &scene, const Technique &technique, const Object &object, const Mesh &mesh,
+PreparedObject prepare_object(const Scene &scene, const Technique &given, const Object &object, const Mesh &mesh,
                               const DrawOptions &options = {});
 /// Every object of the scene, in their order.
 std::vector<PreparedObject> prepare_objects(const Scene &scene, const Technique &technique,

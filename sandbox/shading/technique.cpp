@@ -1,6 +1,7 @@
 #include "shading/technique.h"
 
 #include "image/error.h"
+#include "image/number.h"
 #include "scene/scene.h"
 
 #include <algorithm>
@@ -29,12 +30,26 @@ int parse_value(const TechniqueKey &key, std::string_view word, std::string_view
     return static_cast<int>(found - key.values.begin());
 }
 
+double parse_tolerance(std::string_view word, std::string_view technique) {
+    double value = 0;
+    const auto [end, error] = read_number(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || end != word.data() + word.size() || !(value > 0 && value <= 1)) {
+        throw InputError("technique '{}': {}: expected a number above 0 and at most 1, got '{}'", technique,
+                         tolerance_name, word);
+    }
+    return value;
+}
+
 void parse_setting(Technique &result, std::string_view setting, std::string_view technique) {
     const auto equals = setting.find('=');
+    if (equals != std::string_view::npos && setting.substr(0, equals) == tolerance_name) {
+        result.tolerance = parse_tolerance(setting.substr(equals + 1), technique);
+        return;
+    }
     const auto *key = std::ranges::find(technique_settings, setting.substr(0, equals), &TechniqueKey::name);
     if (equals == std::string_view::npos || key == std::end(technique_settings)) {
-        throw InputError("technique '{}': expected key=value with key one of {}, got '{}'", technique,
-                         names_of(technique_settings, ", "), setting);
+        throw InputError("technique '{}': expected key=value with key one of {}, {}, got '{}'", technique,
+                         names_of(technique_settings, ", "), tolerance_name, setting);
     }
     key->set(result, parse_value(*key, setting.substr(equals + 1), technique));
 }
@@ -64,6 +79,10 @@ std::optional<std::string> why_refused(const Technique &technique) {
         if (const auto reason = refusal(key, technique); !reason.empty()) {
             return fmt::format("{}={} {}", key.name, key.value(technique).name, reason);
         }
+    }
+    if (technique.frequency != Frequency::automatic && technique.tolerance != default_tolerance) {
+        return fmt::format("{}={} can have no effect: it is for the frequency auto", tolerance_name,
+                           technique.tolerance);
     }
     return std::nullopt;
 }
@@ -96,6 +115,10 @@ Technique parse_technique_with(const OwnShader &own, std::string_view text) {
 std::string to_string(const Technique &technique) {
     std::string text = fmt::format("{}/{}", frequency_key.value(technique).name, model_key.value(technique).name);
     char separator = ':';
+    if (technique.tolerance != default_tolerance) {
+        text += fmt::format(":{}={}", tolerance_name, technique.tolerance);
+        separator = ',';
+    }
     for (const TechniqueKey &key : technique_settings) {
         if (key.get(technique) != 0) {
             text += fmt::format("{}{}={}", separator, key.name, key.value(technique).name);
@@ -115,6 +138,9 @@ std::string title_of(const TechniqueKey &key, int value) {
 
 std::string title_of(const Technique &technique) {
     std::string text = fmt::format("{}, {}", frequency_key.value(technique).title, model_key.value(technique).title);
+    if (technique.tolerance != default_tolerance) {
+        text += fmt::format("; {} {:.3g}", tolerance_name, technique.tolerance);
+    }
     for (const TechniqueKey &key : technique_settings) {
         if (key.get(technique) != 0) {
             text += "; " + title_of(key, key.get(technique));
@@ -129,7 +155,17 @@ Technique nearest_valid(Technique technique) {
             key.set(technique, 0);
         }
     }
+    technique.tolerance = technique.frequency == Frequency::automatic ? technique.tolerance : default_tolerance;
     return technique;
+}
+
+Technique part_of_auto(const Technique &technique, Frequency frequency) {
+    if (technique.frequency != Frequency::automatic) {
+        return technique;
+    }
+    Technique part = technique;
+    part.frequency = frequency;
+    return nearest_valid(part);
 }
 
 bool can_matter(const TechniqueKey &key, int value, const Scene &scene, const Technique &technique) {

@@ -39,7 +39,7 @@ template <class Enum, std::size_t N> constexpr std::array<Enum, N> enumerators(c
     return all;
 }
 
-enum class Frequency { flat, per_vertex, per_pixel, interpolated_vectors, hybrid };
+enum class Frequency { flat, per_vertex, per_pixel, interpolated_vectors, hybrid, automatic };
 inline constexpr TechniqueValue frequency_values[]{
     {"flat", "flat", "once a triangle, with the face's own normal at its centroid"},
     {"per-vertex", "per vertex",
@@ -48,6 +48,8 @@ inline constexpr TechniqueValue frequency_values[]{
     {"interpolated-vectors", "interpolated vectors",
      "N, L, H (or R) and the distance are computed per vertex and interpolated"},
     {"hybrid", "hybrid", "ambient and diffuse per vertex, specular per pixel"},
+    {"auto", "automatic",
+     "per vertex where that provably differs from per pixel by at most the tolerance, else per pixel"},
 };
 inline constexpr auto all_frequencies = enumerators<Frequency>(frequency_values);
 
@@ -193,6 +195,13 @@ inline constexpr TechniqueValue program_values[]{
     {"full", "full", "one program per frequency that branches on uniforms"},
 };
 
+/// tolerance=T, the one key that is a number: by how much the picture of `auto` may differ from per-pixel's, in linear
+/// units, in (0, 1].
+inline constexpr std::string_view tolerance_name = "tolerance";
+inline constexpr std::string_view tolerance_doc = "of the frequency auto: by how much its picture may differ from "
+                                                  "per-pixel's, in linear colour, above 0 to 1 [1/255]";
+constexpr double default_tolerance = 1.0 / 255;
+
 struct Technique {
     Frequency frequency = Frequency::per_pixel;
     Model model = Model::blinn_phong;
@@ -210,7 +219,8 @@ struct Technique {
     Normalisation normalisation = Normalisation::none;
     Precision precision = Precision::high;
     Program program = Program::specialised;
-    OwnShader own{}; ///< of Model::own; no key, so that it is not written with the others
+    double tolerance = default_tolerance; ///< of the frequency auto alone: see tolerance_name
+    OwnShader own{};                      ///< of Model::own; no key, so that it is not written with the others
     auto operator<=>(const Technique &) const = default; // NOLINT(modernize-use-nullptr): version 14 errs
 };
 
@@ -298,6 +308,9 @@ std::string title_of(const TechniqueKey &key, int value);
 std::optional<std::string> why_refused(const Technique &technique);
 /// The same with every value that is refused reset to the first of its key.
 Technique nearest_valid(Technique technique);
+/// What `auto` draws a triangle with: the same technique under one of its two frequencies, without the keys that mean
+/// nothing there. Other techniques: as they are.
+Technique part_of_auto(const Technique &technique, Frequency frequency);
 /// Can this value change the picture of the scene, the other keys being those of `technique`? Sharp enough to be told
 /// to people: where the answer is no, the reference draws the very picture of the key's default.
 bool can_matter(const TechniqueKey &key, int value, const Scene &scene, const Technique &technique);

@@ -10,7 +10,8 @@ namespace sandbox::rules {
 namespace {
 
 bool lights_pixels(const Technique &t) {
-    return t.frequency == Frequency::per_pixel || t.frequency == Frequency::interpolated_vectors ||
+    return t.frequency == Frequency::per_pixel || t.frequency == Frequency::automatic ||
+           t.frequency == Frequency::interpolated_vectors ||
            (t.frequency == Frequency::hybrid && reflection(t.model).specular);
 }
 
@@ -71,7 +72,8 @@ std::string_view needs_exact_distances(const Technique &technique) {
 }
 
 std::string_view needs_own_text(const Technique &technique) {
-    if (technique.frequency == Frequency::interpolated_vectors || technique.frequency == Frequency::hybrid) {
+    if (technique.frequency == Frequency::interpolated_vectors || technique.frequency == Frequency::hybrid ||
+        technique.frequency == Frequency::automatic) {
         return "is for flat, per-vertex and per-pixel: other frequencies take the equation apart";
     }
     return technique.own ? "" : "needs a text, which --own FILE.glsl names where a command takes it";

@@ -136,6 +136,7 @@ void add_program(TemplateValues &values, const Features &f, const ProgramNeeds &
          {"srgb", f.srgb},
          {"exposed", f.exposed},
          {"deep", f.deep},
+         {"invariant", f.invariant},
          {"orthographic", f.orthographic},
          {"wide", f.wide},
          {"mediump", f.mediump}});

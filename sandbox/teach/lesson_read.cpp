@@ -24,7 +24,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::string_view lessons_folder = "lessons/", bugs_folder = "gallery/";
-static_assert(overlay_kinds.size() == 4, "format_of<LessonStep> has a row for each");
+static_assert(overlay_kinds.size() == 5, "format_of<LessonStep> has a row for each");
 
 class LessonReader : public TextReader<LessonReader, json> {
   public:

@@ -71,6 +71,10 @@ std::string title_of(const Words &words, const TechniqueKey &key, int value) {
 std::string title_of(const Words &words, const Technique &technique) {
     std::string text = words.format("technique.pair", title_of(words, frequency_key, frequency_key.get(technique)),
                                     title_of(words, model_key, model_key.get(technique)));
+    if (technique.tolerance != default_tolerance) {
+        text += words.text("technique.and") +
+                words.format("technique.tolerance", fmt::format("{:.3g}", technique.tolerance));
+    }
     for (const TechniqueKey &key : technique_settings) {
         if (key.get(technique) != 0) {
             text += words.text("technique.and") + title_of(words, key, key.get(technique));

@@ -132,7 +132,7 @@ TEST(Cli, ListAsJson) {
         EXPECT_FALSE(scene["name"].get<std::string>().empty());
         EXPECT_FALSE(scene["description"].get<std::string>().empty());
     }
-    EXPECT_EQ(list["techniques"]["frequencies"].size(), 5U);
+    EXPECT_EQ(list["techniques"]["frequencies"].size(), 6U);
     EXPECT_EQ(list["techniques"]["models"].size(), 4U) << "three with an equation, and own shading";
     EXPECT_EQ(list["techniques"]["keys"].size(), std::size(technique_settings));
     EXPECT_TRUE(list["lessons"].is_array());

@@ -44,7 +44,8 @@ TEST(Technique, RowsStandBesideTheirEnumerators) {
               "per-pixel/blinn-phong:normals=untransformed,gate=none,power=stable");
     EXPECT_EQ(to_string({.attenuation = AttenuationAt::distance_interpolated, .program = Program::full}),
               "per-pixel/blinn-phong:attenuation=distance-interpolated,program=full");
-    EXPECT_EQ(all_frequencies.back(), Frequency::hybrid);
+    EXPECT_EQ(all_frequencies.back(), Frequency::automatic);
+    EXPECT_EQ(to_string({.frequency = Frequency::automatic}), "auto/blinn-phong");
     EXPECT_EQ(all_models.back(), Model::blinn_phong);
 }
 
@@ -72,6 +73,34 @@ TEST(Technique, KeysThatCanHaveNoEffectAreRefused) {
                   parse_technique("interpolated-vectors/phong:attenuation=distance-interpolated");
               }).find("always interpolates"),
               std::string::npos);
+}
+
+TEST(Technique, ToleranceIsANumberOfAutoAlone) {
+    const Technique technique = parse_technique("auto/phong:tolerance=0.01,gate=none");
+    EXPECT_EQ(technique.tolerance, 0.01);
+    EXPECT_EQ(to_string(technique), "auto/phong:tolerance=0.01,gate=none");
+    EXPECT_EQ(title_of(technique), "automatic, Phong; tolerance 0.01; specular gate: none (wrong)");
+    EXPECT_EQ(parse_technique("auto/phong").tolerance, default_tolerance);
+    EXPECT_EQ(parse_technique(to_string({.frequency = Frequency::automatic, .tolerance = 1.0 / 3})).tolerance, 1.0 / 3);
+    EXPECT_NE(error_of([] { parse_technique("per-pixel/phong:tolerance=0.01"); }).find("frequency auto"),
+              std::string::npos);
+    for (const char *wrong : {"0", "-1", "1.5", "nan", "inf", "", "0.1x"}) {
+        EXPECT_NE(error_of([&] {
+                      parse_technique(std::string("auto/phong:tolerance=") + wrong);
+                  }).find("tolerance: expected a number above 0 and at most 1"),
+                  std::string::npos)
+            << wrong;
+    }
+    Technique other = technique;
+    other.frequency = Frequency::per_pixel;
+    EXPECT_EQ(to_string(nearest_valid(other)), "per-pixel/phong:gate=none");
+}
+
+TEST(Technique, AutoHasTwoParts) {
+    const Technique technique = parse_technique("auto/phong:tolerance=0.01,renormalize=off,gate=none");
+    EXPECT_EQ(to_string(part_of_auto(technique, Frequency::per_vertex)), "per-vertex/phong:gate=none");
+    EXPECT_EQ(to_string(part_of_auto(technique, Frequency::per_pixel)), "per-pixel/phong:renormalize=off,gate=none");
+    EXPECT_EQ(part_of_auto(Technique{}, Frequency::per_vertex), Technique{});
 }
 
 TEST(Technique, WrongWordsAreNamedWithWhatWasExpected) {

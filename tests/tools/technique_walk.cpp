@@ -20,12 +20,16 @@ std::set<Pair> pairs_of(const Technique &technique) {
     return pairs;
 }
 
-Technique random_technique(std::mt19937 &random) {
+/// Of the frequency auto, or of another.
+Technique random_technique(std::mt19937 &random, bool automatic) {
     Technique technique;
     for (const auto &key : technique_keys()) {
-        const bool models = key.name == model_key.name; // own shading needs a text
-        key.set(technique, static_cast<int>(random() % (models ? all_models.size() : key.values.size())));
+        const std::size_t values = key.name == model_key.name       ? all_models.size() // own shading needs a text
+                                   : key.name == frequency_key.name ? all_frequencies.size() - 1
+                                                                    : key.values.size();
+        key.set(technique, static_cast<int>(random() % values));
     }
+    technique.frequency = automatic ? Frequency::automatic : technique.frequency;
     return technique;
 }
 
@@ -59,18 +63,20 @@ std::vector<Technique> pairwise_techniques() {
     std::mt19937 random(20);
     std::set<Pair> covered;
     std::vector<Technique> chosen;
-    for (int idle = 0; idle < tries_without_news; ++idle) {
-        const Technique technique = random_technique(random);
-        if (why_refused(technique)) {
-            continue;
-        }
-        std::size_t news = 0;
-        for (const Pair &pair : pairs_of(technique)) {
-            news += covered.insert(pair).second ? 1U : 0U;
-        }
-        if (news > 0) {
-            chosen.push_back(technique);
-            idle = 0;
+    for (const bool automatic : {false, true}) { // one after the other: a new value leaves the earlier choice as it was
+        for (int idle = 0; idle < tries_without_news; ++idle) {
+            const Technique technique = random_technique(random, automatic);
+            if (why_refused(technique)) {
+                continue;
+            }
+            std::size_t news = 0;
+            for (const Pair &pair : pairs_of(technique)) {
+                news += covered.insert(pair).second ? 1U : 0U;
+            }
+            if (news > 0) {
+                chosen.push_back(technique);
+                idle = 0;
+            }
         }
     }
     return chosen;

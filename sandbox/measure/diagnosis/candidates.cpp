@@ -68,6 +68,9 @@ std::vector<Technique> base_techniques(const std::optional<Technique> &given) {
     };
     add({});
     for (const Frequency frequency : all_frequencies) {
+        if (frequency == Frequency::automatic) {
+            continue; // looks like per-pixel: that is its promise
+        }
         for (const Model model : all_models) {
             Technique base;
             base.frequency = frequency;

@@ -148,8 +148,8 @@ std::string report_html(const std::vector<ReportRun> &runs) {
     std::string body = runs.size() > 1 ? comparison(words, runs) : "";
     for (const ReportRun &run : runs) {
         body += heading(run) + summary(run) + pictures(run) + error_against_time(run) + cheapest_rows(run) +
-                order_ladder(run) + error_split(run) + claims(run) + specialisation(run) + power(run) + precision(run) +
-                all_rows(run) + method(run);
+                order_ladder(run) + error_split(run) + certificates(run) + claims(run) + specialisation(run) +
+                power(run) + precision(run) + all_rows(run) + method(run);
     }
     return page(words,
                 runs.empty() ? words.text("report.report")

@@ -8,7 +8,7 @@
 //   errors {see norm_quantities and metric_quantities (psnr null: identical), split {see error_parts: each a set of
 //   norms}}, marked (why they say too little to be recommended by; null: they count) and time {see
 //   run_time_quantities, samples}. Errors of a picture with pixels that are not finite are null, and so are those over
-//   no pixels.
+//   no pixels. certificate of the frequency auto {see certificate_quantities, nothing_proved (why; empty)}.
 // precision: [{technique, rounded (levels that precision=medium changes; null: not finite), device (levels that this
 //   device's mediump changes; null: unknown), high (names of values), left (levels with those highp)}].
 // findings (rows by index): orders [{coarse, fine, max, l2, l1, interpolation {max, l2, l1}, settling}],
@@ -140,6 +140,10 @@ Json row_json(const MeasuredRow &row, const std::vector<PlannedMesh> &meshes) {
         json["time"] = quantities_json(run_time_quantities, *row.time);
         json["time"]["samples"] = row.time->samples;
     }
+    if (row.certificate) {
+        json["certificate"] = quantities_json(certificate_quantities, *row.certificate);
+        json["certificate"]["nothing_proved"] = row.certificate->nothing_proved;
+    }
     return json;
 }
 std::vector<double> samples_from(const Json &json) {
@@ -163,6 +167,10 @@ MeasuredRow row_from(const Json &json, std::size_t meshes) {
     }
     if (json.contains("time") && !json.at("time").at("samples").empty()) {
         row.time = run_time(samples_from(json.at("time").at("samples")));
+    }
+    if (const auto found = json.find("certificate"); found != json.end()) {
+        row.certificate = quantities_from(*found, certificate_quantities);
+        row.certificate->nothing_proved = found->at("nothing_proved").get<std::string>();
     }
     return row;
 }

@@ -178,6 +178,32 @@ std::string power(const ReportRun &run) {
     return section("power", run.words.text("report.power"), run.words.text("report.power.lead"), table.html());
 }
 
+std::string certificates(const ReportRun &run) {
+    const Words &words = run.words;
+    std::vector<std::string> heads = heads_of(words, {"technique", "rings"});
+    for (const Quantity<CertificateFigures> &quantity : certificate_quantities) {
+        heads.push_back(heading_of(words, quantity));
+    }
+    Table table(heads);
+    bool any = false;
+    for (const MeasuredRow &row : run.measured.rows) {
+        if (!row.certificate) {
+            continue;
+        }
+        any = true;
+        const PlannedMesh &mesh = run.measured.meshes[row.plan.mesh];
+        table.begin_row();
+        table.text(technique_code(row.plan.technique));
+        table.number(mesh.rings, mesh.ladder ? fmt::format("{}", mesh.rings) : words.text("report.own"));
+        for (const Quantity<CertificateFigures> &quantity : certificate_quantities) {
+            table.number(quantity.value(*row.certificate).value_or(0),
+                         quantity_text(words, quantity, *row.certificate));
+        }
+    }
+    return section("certificates", words.text("report.certificates"), words.text("report.certificates.lead"),
+                   any ? table.html() : std::string());
+}
+
 std::string precision(const ReportRun &run) {
     const Words &words = run.words;
     Table table(heads_of(words, {"technique", "rounded", "device", "stay_high", "left"}));

@@ -12,6 +12,8 @@ std::string cheapest_rows(const ReportRun &run);
 std::string order_ladder(const ReportRun &run);
 std::string specialisation(const ReportRun &run);
 std::string power(const ReportRun &run);
+/// What the frequency auto promised and kept, mesh by mesh.
+std::string certificates(const ReportRun &run);
 /// What half precision changes, and which values must stay high.
 std::string precision(const ReportRun &run);
 std::string claims(const ReportRun &run);

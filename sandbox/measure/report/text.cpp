@@ -109,6 +109,9 @@ std::map<std::string, std::string> measured_row_texts() {
     for (const Quantity<Accounting> &row : accounting_quantities) {
         add(row);
     }
+    for (const Quantity<CertificateFigures> &row : certificate_quantities) {
+        add(row);
+    }
     for (const ErrorPart &part : error_parts) {
         texts.emplace(part_key(part), part.meaning);
         texts.emplace(part_key(part) + ".heading", part.heading);

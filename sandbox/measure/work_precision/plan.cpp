@@ -109,7 +109,7 @@ void for_frequencies_and_models(const std::function<void(const Technique &)> &vi
 /// Adds the full program, the shortcuts and the other powers of every technique that was selected.
 void add_variants(Selection &selection) {
     for_frequencies_and_models([&](const Technique &t) {
-        if (!selection.has(t)) {
+        if (!selection.has(t) || t.frequency == Frequency::automatic) { // its parts have theirs
             return;
         }
         const auto variant = [&](auto member, auto value, RowGroup group) {

@@ -137,6 +137,10 @@ class Measurement {
         });
         row.errors = errors;
         geometry = row.errors->split.geometry;
+        if (row.plan.technique.frequency == Frequency::automatic) {
+            row.certificate =
+                certificate_figures(mesh.scene, resources_[row.plan.mesh], row.plan.technique, technique, per_pixel);
+        }
     }
 
     /// The double picture on a mesh; those of the last mesh are kept.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "image/image.h"
+#include "measure/metrics/certificate_figures.h"
 #include "measure/metrics/metrics.h"
 #include "measure/work_precision/plan.h"
 #include "measure/work_precision/precision.h"
@@ -38,6 +39,7 @@ struct MeasuredRow {
     std::string refused; ///< why it could not be drawn; empty if it was
     std::optional<RowErrors> errors;
     std::optional<RunTime> time;
+    std::optional<CertificateFigures> certificate{}; ///< of the frequency auto
 
     [[nodiscard]] bool complete() const { return refused.empty() && errors && time; }
     [[nodiscard]] bool finite() const { return errors && errors->total.nonfinite_pixels == 0; }

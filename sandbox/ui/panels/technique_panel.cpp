@@ -162,6 +162,18 @@ void key_rows(Session &session, const TechniqueKey &key, const std::string &titl
     }
 }
 
+/// What `auto` may differ by, of the sides that have it.
+void tolerance_rows(Session &session) {
+    constexpr Range range{.low = 1e-6, .high = 1, .slider = {1.0 / 2550, 1.0 / 10, "%.5f", true}};
+    for (const bool right : {false, true}) {
+        if (Technique &side = session.technique(right); side.frequency == Frequency::automatic) {
+            const ScopedName name(session, right ? "B" : "A");
+            const ScopedId id(right ? 1U : 0U);
+            control_row(session, row_of(session, "technique.tolerance_row", range), side.tolerance, default_tolerance);
+        }
+    }
+}
+
 /// Says that A is drawn on the processor, where it is; unticking the box ends that.
 void textbook_row(Session &session) {
     bool textbook = session.document.left_is_textbook();
@@ -200,6 +212,7 @@ void technique_panel(Session &session) {
     heading_row(session.text("technique.variants"));
     setting_rows(session, TechniqueKey::Kind::variant);
     ImGui::EndTable();
+    tolerance_rows(session);
     own_row(session);
 }
 

@@ -27,6 +27,7 @@ Terms terms_of(const Scene &scene, const Technique &left, const Technique &right
 
 ValueUse value_use(const TechniqueKey &key, int value, const Scene &scene, Technique technique) {
     key.set(technique, value);
+    technique.tolerance = technique.frequency == Frequency::automatic ? technique.tolerance : default_tolerance;
     if (why_refused(technique)) {
         return ValueUse::refused;
     }

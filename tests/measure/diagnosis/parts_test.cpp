@@ -171,7 +171,7 @@ std::vector<ObjectResources> load(const Scene &scene) {
 TEST(Candidates, AreValidHaveAnEffectAndDrawDifferently) {
     const Scene scene = two_lights();
     const auto bases = base_techniques(std::nullopt);
-    EXPECT_EQ(bases.size(), all_frequencies.size() * all_models.size());
+    EXPECT_EQ(bases.size(), (all_frequencies.size() - 1) * all_models.size()) << "auto looks like per-pixel";
     std::vector<Technique> all;
     for (const Candidate &candidate : single_candidates(scene, load(scene), bases)) {
         EXPECT_EQ(candidate.same.front(), candidate.technique);

@@ -130,6 +130,12 @@ TEST(WorkPrecision, TheSplitTellsCausesApart) {
         EXPECT_EQ(split.arithmetic.max_abs < 2e-7, row.plan.group != RowGroup::precision)
             << "the fake rounds to float32 and does nothing else, but for rows in half" << to_string(t);
         EXPECT_GT(split.geometry->rmse, 0) << "no mesh is the ball";
+        EXPECT_EQ(row.certificate.has_value(), t.frequency == Frequency::automatic);
+        if (row.certificate) {
+            EXPECT_LE(split.interpolation.max_abs, row.certificate->bound) << to_string(t);
+            EXPECT_LE(row.certificate->bound, t.tolerance) << to_string(t);
+            continue; // on a coarse ball nothing is proved, and nothing interpolated
+        }
         const bool exact = t.frequency == Frequency::per_pixel && row.plan.group != RowGroup::claim;
         EXPECT_EQ(split.interpolation.rmse == 0, exact) << to_string(t);
     }

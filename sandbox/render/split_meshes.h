@@ -1,0 +1,45 @@
+#pragma once
+
+#include "image/image.h"
+#include "render/mesh_buffers.h"
+#include "scene/resources.h"
+#include "shading/technique.h"
+
+#include <deque>
+#include <memory>
+#include <vector>
+
+namespace sandbox {
+
+/// An object's triangles as the frequency `auto` draws them: those that are lit per vertex, then those per pixel. What
+/// shows its back alone, where that is culled, is left out.
+struct SplitMesh {
+    Buffer indices;
+    std::size_t per_vertex = 0, per_pixel = 0; ///< triangles
+
+    [[nodiscard]] TrianglePart part(Frequency frequency) const {
+        return frequency == Frequency::per_vertex ? TrianglePart{indices.id(), 0, per_vertex}
+                                                  : TrianglePart{indices.id(), per_vertex, per_pixel};
+    }
+};
+
+/// Those of the scenes that were drawn last: choosing takes longer than a frame.
+class SplitMeshes {
+  public:
+    /// One per object. Stays valid until the next call.
+    const std::vector<SplitMesh> &of(const Scene &scene, const Technique &technique,
+                                     const std::vector<ObjectResources> &resources, Size size);
+
+  private:
+    struct Entry {
+        Scene scene;
+        Technique technique;
+        double aspect;
+        std::vector<std::weak_ptr<const Mesh>> meshes;
+        std::vector<SplitMesh> split;
+        std::size_t triangles = 0;
+    };
+    std::deque<Entry> entries_; ///< the latest last
+};
+
+} // namespace sandbox

@@ -1,0 +1,1 @@
+#include "wireframe_vertex.glsl"
