@@ -4,6 +4,7 @@
 #include "image/difference.h"
 #include "image/error.h"
 #include "measure/stability/textbook.h"
+#include "measure/work_precision/precision.h"
 #include "reference/reference.h"
 #include "render/context.h"
 #include "render/frame_clock.h"
@@ -54,6 +55,7 @@ class Finder {
             }
             if (side.failure.empty()) {
                 judge(*drawn.frames[right ? 1 : 0], *drawn.truths[right ? 1 : 0], estimate, side);
+                side.device = device_levels(right, size);
             }
         }
         if (!estimate && drawn.frames[0] && drawn.frames[1]) {
@@ -103,6 +105,19 @@ class Finder {
         return std::make_shared<ReferenceFrame>(render_reference(scene(right), resources_[right ? 1 : 0],
                                                                  shown_.truth_of_side(right), size, Surface::mesh,
                                                                  [this](double) { return !stopped(); }));
+    }
+
+    [[nodiscard]] std::optional<double> device_levels(bool right, Size size) {
+        Technique high = technique(right);
+        if (high.precision == Precision::high || !Renderer::knows_precision()) {
+            return std::nullopt;
+        }
+        high.precision = Precision::high;
+        Target target(size);
+        renderer_.draw_mediump(scene(right), high, target);
+        const Image medium = target.read_color();
+        renderer_.draw(scene(right), high, target);
+        return levels_between(medium, target.read_color());
     }
 
     static void judge(const Frame &drawn, const ReferenceFrame &truth, bool estimate, SideFindings &side) {

@@ -41,8 +41,11 @@ struct SideFindings {
     bool estimate = false;              ///< found at a quarter of the width and height
     std::shared_ptr<const Image> truth; ///< that reference, at the view's size
     std::vector<PixelUse> uses;         ///< of the view's pixels; empty: not known yet
-    std::optional<RunTime> time;        ///< of finished frames, taken in turns with the other side's
-    std::string failure;                ///< why there is no picture
+    /// With precision=medium: what this device's own mediump changes of the side in high precision, in levels; none
+    /// under OpenGL's core profile.
+    std::optional<double> device;
+    std::optional<RunTime> time; ///< of finished frames, taken in turns with the other side's
+    std::string failure;         ///< why there is no picture
 };
 
 struct Findings {

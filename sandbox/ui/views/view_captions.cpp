@@ -134,6 +134,15 @@ std::vector<std::string> time_texts(const Words &words, const RunTime &time) {
             words.format("caption.ms", median)};
 }
 
+/// Of a side in half precision, whose run time would be that of an emulation.
+std::vector<std::string> device_texts(const Words &words, const SideFindings &side) {
+    if (!side.device) {
+        return {words.text("caption.no_mediump"), words.text("caption.no_mediump_brief")};
+    }
+    return {words.format("caption.device", *side.device), words.format("caption.device_brief", *side.device),
+            words.format("caption.device_short", *side.device)};
+}
+
 /// Under a picture, in two lines.
 void draw_figures(Session &session, const ViewPainter &painter, const Rect &rect, bool right, bool align_right,
                   bool run_time) {
@@ -158,6 +167,15 @@ void draw_figures(Session &session, const ViewPainter &painter, const Rect &rect
                        align_right);
     }
     if (!run_time) {
+        return;
+    }
+    if (session.technique(right).precision == Precision::medium && side != nullptr && side->metrics) {
+        const std::vector<std::string> texts = device_texts(session.words, *side);
+        draw_text_line(session, name + "/device", rect, rect.high.y + line, plain, longest_that_fits(texts, room),
+                       align_right);
+        if (ImGui::IsMouseHoveringRect({rect.low.x, rect.high.y + line}, {rect.high.x, rect.high.y + 2 * line})) {
+            session.hint = texts.front();
+        }
         return;
     }
     const bool timed = session.appearance.run_times && side != nullptr && side->time;
