@@ -68,6 +68,61 @@ TEST(Jets, HoldTheDotProductAndItsDerivativesAtEveryPoint) {
 }
 
 /// Products, curves and narrowing, by differences of the function itself: (a.b) / |c| raised to n.
+/// A quadratic in (u, v) at a point, and what it is there with its derivatives.
+struct Quadratic {
+    double c[6]; // 1, u, v, u^2, uv, v^2
+    [[nodiscard]] Jet at(double u, double v) const {
+        return {c[0] + c[1] * u + c[2] * v + c[3] * u * u + c[4] * u * v + c[5] * v * v,
+                c[1] + 2 * c[3] * u + c[4] * v,
+                c[2] + c[4] * u + 2 * c[5] * v,
+                2 * c[3],
+                c[4],
+                2 * c[5]};
+    }
+};
+
+void expect_near(const Interval &found, double expected) {
+    EXPECT_TRUE(found.lo <= found.hi && std::abs(found.middle() - expected) < 1e-12)
+        << found.lo << " to " << found.hi << ", not " << expected;
+}
+
+/// By hand: (fg)'' and (f^2)'' in all directions. A term too few is no wider interval, but another number.
+TEST(Jets, HaveTheProductAndTheChainRule) {
+    Random random;
+    for (int i = 0; i < 200; ++i) {
+        Quadratic p{}, q{};
+        for (int k = 0; k < 6; ++k) {
+            p.c[k] = random.between(-1, 1);
+            q.c[k] = random.between(-1, 1);
+        }
+        const Jet f = p.at(random.between(0, 1), random.between(0, 1)), g = q.at(0.25, 0.5);
+        const auto number = [](const Interval &x) { return x.middle(); };
+        const Jet product = f * g;
+        const double a = number(f.value), au = number(f.u), av = number(f.v);
+        const double b = number(g.value), bu = number(g.u), bv = number(g.v);
+        expect_near(product.value, a * b);
+        expect_near(product.u, au * b + a * bu);
+        expect_near(product.v, av * b + a * bv);
+        expect_near(product.uu, number(f.uu) * b + 2 * au * bu + a * number(g.uu));
+        expect_near(product.uv, number(f.uv) * b + au * bv + av * bu + a * number(g.uv));
+        expect_near(product.vv, number(f.vv) * b + 2 * av * bv + a * number(g.vv));
+        const Jet squared = compose(Curve{a * a, 2 * a, 2.0}, f);
+        expect_near(squared.value, a * a);
+        expect_near(squared.u, 2 * a * au);
+        expect_near(squared.v, 2 * a * av);
+        expect_near(squared.uu, 2 * au * au + 2 * a * number(f.uu));
+        expect_near(squared.uv, 2 * au * av + 2 * a * number(f.uv));
+        expect_near(squared.vv, 2 * av * av + 2 * a * number(f.vv));
+        const Curve both = Curve{a, au, av} * Curve{b, bu, bv};
+        expect_near(both.first, au * b + a * bu);
+        expect_near(both.second, av * b + 2 * au * bu + a * bv);
+        const Jet sum = f + 2.0 * g - f;
+        expect_near(sum.uv, 2 * number(g.uv));
+        expect_near(sum.vv, 2 * number(g.vv));
+        expect_near(sum.u, 2 * bu);
+    }
+}
+
 TEST(Jets, HoldADifferenceQuotientOfAComposition) {
     Random random;
     int tried = 0;
