@@ -17,10 +17,11 @@ namespace {
 constexpr Frequency plainest = Frequency::flat;
 
 /// A window draws what has just moved, and constants would be stale: baked programs are built aside, once it rests, to
-/// be measured.
-Technique while_moving(Technique technique) {
-    technique.program = technique.program == Program::baked ? Program::specialised : technique.program;
-    return technique;
+/// be measured. `moving`: what `auto` chooses would be stale, too, and per-pixel looks the same; but not with stripes.
+Technique as_drawn(const Technique &technique, bool moving, const Overlays &overlays) {
+    Technique drawn = moving && !overlays.proved ? part_of_auto(technique, Frequency::per_pixel) : technique;
+    drawn.program = drawn.program == Program::baked ? Program::specialised : drawn.program;
+    return drawn;
 }
 
 } // namespace
@@ -59,7 +60,8 @@ std::optional<SlowPicture> ViewPainter::slow_ahead(const Session &session, bool 
     const ViewSettings view = next_view(session);
     const Scene scene = with_mesh_factor(scene_in_view(next, side.shown.size), next.mesh_factors[right ? 1 : 0]);
     const Overlays overlays = on_surfaces(view.drawn_over, view.layout);
-    const ViewKey key{scene, while_moving(right ? next.right : next.left), side.shown.size, false, overlays, reloads_};
+    const ViewKey key{
+        scene, as_drawn(right ? next.right : next.left, false, overlays), side.shown.size, false, overlays, reloads_};
     const DisplayMap display{next.display, next.exposure};
     auto slow = slow_picture(side, key, reads_light(view) ? std::nullopt : std::optional(display));
     if (slow) {
@@ -318,7 +320,7 @@ SidesShown ViewPainter::sides_shown(const Document &document) const {
             document.mesh_factors};
 }
 
-void ViewPainter::paint(const Session &session, Size each) {
+void ViewPainter::paint(const Session &session, Size each, bool moving) {
     const Document document = shown_document(session);
     const ViewSettings &view = session.view;
     const DisplayMap display{document.display, document.exposure};
@@ -328,7 +330,7 @@ void ViewPainter::paint(const Session &session, Size each) {
         const bool textbook = !right && document.left_is_textbook();
         const double factor = document.mesh_factors[right ? 1 : 0];
         const ViewKey key{with_mesh_factor(seen, factor),
-                          while_moving(session.technique(right)),
+                          as_drawn(session.technique(right), moving, view.drawn_over),
                           each,
                           textbook,
                           on_surfaces(view.drawn_over, view.layout),

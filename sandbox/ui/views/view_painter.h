@@ -74,8 +74,8 @@ class ViewPainter {
     ViewPainter(const Assets &assets, const Assets &shaders);
 
     /// Updates both sides and, if the layout shows it, their difference. A side whose picture is slow keeps its last
-    /// one until that has been made aside.
-    void paint(const Session &session, Size each);
+    /// one until that has been made aside. `moving`: something is dragged or plays.
+    void paint(const Session &session, Size each, bool moving);
 
     /// What paint() would wait for in the lesson's next step, so that it can be made ahead; nothing: the side can be
     /// drawn at once.

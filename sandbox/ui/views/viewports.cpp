@@ -242,10 +242,11 @@ void viewports(Session &session, ViewPainter &painter) {
         mouse_over_picture(session, arrangement.column(i), arrangement.columns == 1 ? "View" : names[i]);
     }
     const Rect rect = arrangement.column(0);
-    painter.paint(session, pixels_of(rect));
+    const bool moving = ImGui::IsAnyItemActive() || session.playback.playing;
+    painter.paint(session, pixels_of(rect), moving);
     session.triangles = {painter.triangles(false), painter.triangles(true)};
     session.same_picture = painter.same_picture(shown_document(session));
-    if (!ImGui::IsAnyItemActive() && !session.playback.playing) {
+    if (!moving) {
         painter.measure_difference();
     }
     show_layout(session, painter, arrangement);
