@@ -60,12 +60,11 @@ Layout parse_layout(std::string_view text) {
 }
 
 Overlays on_surfaces(Overlays overlays, Layout layout) {
-    const bool shown = layout != Layout::difference;
-    return {.wireframe = overlays.wireframe,
-            .normals = shown && overlays.normals,
-            .vertices = shown && overlays.vertices,
-            .proved = shown && overlays.proved,
-            .lights = false};
+    for (const OverlayKind &kind : overlay_kinds) {
+        const bool shown = kind.on == &Overlays::wireframe || layout != Layout::difference;
+        overlays.*kind.on = overlays.*kind.on && shown && kind.on != &Overlays::lights;
+    }
+    return overlays;
 }
 
 int split_column(Size picture, double share) { return static_cast<int>(std::floor(picture.width * share + 0.5)); }
