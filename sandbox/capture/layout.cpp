@@ -61,7 +61,7 @@ Layout parse_layout(std::string_view text) {
 
 Overlays on_surfaces(Overlays overlays, Layout layout) {
     for (const OverlayKind &kind : overlay_kinds) {
-        const bool shown = kind.on == &Overlays::wireframe || layout != Layout::difference;
+        const bool shown = kind.in_difference || layout != Layout::difference;
         overlays.*kind.on = overlays.*kind.on && shown && kind.on != &Overlays::lights;
     }
     return overlays;

@@ -60,8 +60,8 @@ BoundLight bound_light(const Light &light, const ObjectLight &use, const Techniq
     bound.cone_exponent = light.exponent;
     bound.ambient_fades = light.attenuate_ambient;
     const glm::dvec3 view_axis = -camera_axes(camera).forward;
-    bound.half =
-        unit_or((bound.positional ? unit_or(light.position, glm::dvec3(0)) : -bound.travel) + view_axis, glm::dvec3(0));
+    const glm::dvec3 half = (bound.positional ? unit_or(light.position, glm::dvec3(0)) : -bound.travel) + view_axis;
+    bound.half = glm::length(half) > 1e-6 ? glm::normalize(half) : glm::dvec3(0); // a shorter one is rounding
     bound.diffuse_sign = technique.direction == DirectionSign::unnegated_diffuse && !bound.positional ? -1 : 1;
     if (use.ambient || use.attenuated_ambient) {
         bound.ambient = light.ambient * light.color * material.ambient * base;
@@ -167,6 +167,21 @@ double seen_area(const Camera &camera, const Linear &corners) {
     return std::abs(glm::dot(face, middle)) / std::pow(std::max(glm::length(middle), 1e-100), 3);
 }
 
+/// Under half_vector=constant: may L = -V, where the equation takes N for H?
+bool may_lose_half_vector(const BoundObject &object) {
+    const Technique &technique = object.technique;
+    return technique.half_vector == HalfVector::constant && reflection(technique.model).half_vector &&
+           std::ranges::any_of(object.lights, [](const BoundLight &light) { return light.half == glm::dvec3(0); });
+}
+
+/// The largest light of any channel that comes from no lamp or is the same everywhere.
+double constant_light(const Scene &scene, const Technique &technique, const Object &object,
+                      const ObjectResources &own) {
+    const glm::dvec3 ambient = lights_on_object(scene, technique, object).constant_ambient * largest_base(object, own);
+    const glm::dvec3 sum = ambient + object.material.emission;
+    return std::max({sum.x, sum.y, sum.z});
+}
+
 /// What is proved of an object.
 struct Proof {
     ObjectChoice choice;
@@ -178,7 +193,9 @@ Proof prove(const Scene &scene, const Technique &technique, const Object &object
     const BoundObject bounded = bound_object(scene, technique, object, own);
     const LitVertices lit = lit_vertices(scene, technique, object, mesh);
     const double highlight = highlight_rounding(technique, bounded.exponent);
+    const double constant = constant_light(scene, technique, object, own);
     const bool mirrored = is_mirrored(object.transform);
+    const bool unproved = may_lose_half_vector(bounded);
     Proof proof;
     proof.choice.per_vertex.assign(mesh.triangles.size(), per_pixel);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -195,8 +212,8 @@ Proof prove(const Scene &scene, const Technique &technique, const Object &object
         ++proof.choice.facing;
         proof.choice.area += area;
         const Bound bound = shading_bound(bounded, triangle, tolerance);
-        const double rounding = 2 * (body_rounding * bound.body + highlight * bound.highlight);
-        if (const double all = bound.interpolation + rounding; all <= tolerance) {
+        const double rounding = 2 * (body_rounding * (bound.body + constant) + highlight * bound.highlight);
+        if (const double all = bound.interpolation + rounding; all <= tolerance && !unproved) {
             proof.choice.per_vertex[t] = proved;
             ++proof.choice.lit_per_vertex;
             proof.choice.area_per_vertex += area;

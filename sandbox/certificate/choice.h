@@ -13,7 +13,7 @@
 namespace sandbox::certificate {
 
 /// How a triangle is lit: values of ObjectChoice::per_vertex. A hidden one shows its back alone, which is culled: it
-/// goes with what is lit per vertex.
+/// need not be drawn.
 constexpr std::uint8_t per_pixel = 0, proved = 1, hidden = 2;
 
 /// Of one object.

@@ -1,5 +1,7 @@
 #include "certificate/light_factors.h"
 
+#include <glm/geometric.hpp>
+
 namespace sandbox::certificate {
 namespace {
 
@@ -61,6 +63,28 @@ template <class Dot> std::optional<Interval> Lighting<Dot>::n_dot_l(const BoundL
     }
     const auto inverse_distance = inverse_root(value_of(dot_(l, l)));
     return inverse_distance ? std::optional(cosine * inverse_distance->value) : std::nullopt;
+}
+
+template <class Dot> double Lighting<Dot>::spread(const BoundLight &light) const {
+    if (!light.positional) {
+        return 1;
+    }
+    const Linear l = to_light(light);
+    const auto longest = [](const Linear &a) {
+        return std::max({glm::length(a[0]), glm::length(a[1]), glm::length(a[2])});
+    };
+    const double nearest = std::sqrt(std::max(value_of(dot_(l, l)).lo, 0.0));
+    return 1 + (longest(position_) + glm::length(light.position)) / nearest;
+}
+
+template <class Dot> double Lighting<Dot>::strength(const BoundLight &light) const {
+    const Linear l = to_light(light);
+    const auto fading = light.positional ? attenuation(light.attenuation, value_of(dot_(l, l))) : Curve{1.0, 0.0, 0.0};
+    return fading ? fading->value.hi : anything.hi;
+}
+
+template <class Dot> double Lighting<Dot>::longest_normal() const {
+    return object_.unit_normals ? 1 : std::max(std::sqrt(value_of(dot_(normal_, normal_)).hi), 1.0);
 }
 
 template <class Dot>

@@ -43,6 +43,13 @@ template <class Dot> class Lighting {
     [[nodiscard]] const Interval &n_dot_v() const { return value_of(n_dot_v_); }
     /// The cosine; none where the light may lie on the triangle: then nothing is known of that light.
     [[nodiscard]] std::optional<Interval> n_dot_l(const BoundLight &light) const;
+    /// How many times more than one rounding float32 turns the direction to the light: it rounds positions by shares of
+    /// their distance from the eye. Infinite where the light may lie on the triangle.
+    [[nodiscard]] double spread(const BoundLight &light) const;
+    /// No more than this is left by the distance; infinite where nothing is known.
+    [[nodiscard]] double strength(const BoundLight &light) const;
+    /// The longest N, at least 1.
+    [[nodiscard]] double longest_normal() const;
     /// f before it is cut at 0: R.V or N.H; none where H may not exist.
     [[nodiscard]] std::optional<Number> highlight_cosine(const BoundLight &light) const;
     /// `centroid`: the same there, which narrows what is known of f; else null.

@@ -15,11 +15,21 @@ constexpr std::size_t channels = 6;
 using Channels = std::array<Interval, channels>;
 constexpr int channel_of(std::size_t i) { return static_cast<int>(i % 3); }
 
-/// Where a cosine that decides a branch lies over the triangle.
+/// Where a cosine that decides a branch lies over the triangle; `roundings`: of how many its float32 value may be off.
 enum class Where { below, across, above };
-Where where(const Interval &cosine) {
-    return cosine.lo > branch_width ? Where::above : cosine.hi < -branch_width ? Where::below : Where::across;
+Where where(const Interval &cosine, double roundings) {
+    const double width = branch_width * roundings;
+    return cosine.lo > width ? Where::above : cosine.hi < -width ? Where::below : Where::across;
 }
+
+/// How many times more than one rounding float32 errs in a cone's factor, in shares of body_rounding (choice.cpp): a
+/// power by 4e-7 of its exponent, a soft edge by what its width makes of a cosine's rounding.
+double cone_noise(const BoundLight &light) {
+    const double width = light.cos_inner - light.cos_outer;
+    return light.cone ? 1 + 0.25 * light.cone_exponent + (width > 0 ? 0.4 / width : 0) : 1;
+}
+
+double largest(const glm::dvec3 &v) { return std::max({v.x, v.y, v.z}); }
 
 /// A light and which of its factors are smooth over the triangle: their errors may cancel, so that they are summed up
 /// first.
@@ -33,8 +43,8 @@ class Side {
   public:
     Side(const BoundObject &object, const BoundTriangle &triangle)
         : object_(object), triangle_(triangle), over_(object, triangle, {}), centroid_(object, triangle, {}) {
-        known_ =
-            over_.found() && std::ranges::all_of(object.lights, [&](const BoundLight &light) { return add(light); });
+        known_ = over_.found() && centroid_.found() &&
+                 std::ranges::all_of(object.lights, [&](const BoundLight &light) { return add(light); });
     }
 
     [[nodiscard]] Bound bound(double wanted) const;
@@ -42,7 +52,7 @@ class Side {
   private:
     bool add(const BoundLight &light);
     /// Adds one factor of a light; true: it is smooth, and has been added to hessian_.
-    bool add(const Factor<Jet> &factor, const glm::dvec3 &weight, Where side, bool has_kink, double &brightness);
+    bool add(const Factor<Jet> &factor, const glm::dvec3 &weight, Where side, bool has_kink, bool body);
     [[nodiscard]] std::size_t channels_used() const { return object_.highlight_apart ? channels : channels / 2; }
     [[nodiscard]] Channels smooth_at(const glm::dvec3 &weights) const;
     [[nodiscard]] double error_at(const glm::dvec3 &weights, const std::array<Channels, 3> &corners) const;
@@ -58,12 +68,11 @@ class Side {
     double body_ = 0, highlight_ = 0;
 };
 
-bool Side::add(const Factor<Jet> &factor, const glm::dvec3 &weight, Where side, bool has_kink, double &brightness) {
+bool Side::add(const Factor<Jet> &factor, const glm::dvec3 &weight, Where side, bool has_kink, bool body) {
     const Interval &value = factor.number.value;
-    brightness += std::max({weight.x, weight.y, weight.z}) * std::max(value.hi, 0.0);
     const Hessian hessian = hessian_of(factor.number);
     if (side == Where::above && factor.smooth) {
-        const std::size_t end = &brightness == &highlight_ ? channels_used() : channels / 2;
+        const std::size_t end = body ? channels / 2 : channels_used();
         for (std::size_t c = 0; c < end; ++c) {
             hessian_[c] += weight[channel_of(c)] * hessian;
         }
@@ -83,10 +92,11 @@ bool Side::add(const BoundLight &light) {
         return false;
     }
     const Technique &technique = object_.technique;
-    const Where faced = where(*n_dot_l);
-    const Where lit = light.diffuse_sign < 0 ? where(-*n_dot_l) : faced;
+    const double spread = over_.spread(light), size = over_.longest_normal();
+    const Where faced = where(*n_dot_l, spread * size);
+    const Where lit = light.diffuse_sign < 0 ? where(-*n_dot_l, spread * size) : faced;
     const Where shown = technique.gate == Gate::none          ? Where::above
-                        : technique.gate == Gate::view_facing ? where(over_.n_dot_v())
+                        : technique.gate == Gate::view_facing ? where(over_.n_dot_v(), size)
                                                               : faced;
     const Where ambient = technique.ambient == AmbientWhere::where_lit ? faced : Where::above;
     const Asked asked{.reach = light.ambient != none && ambient != Where::below,
@@ -96,19 +106,22 @@ bool Side::add(const BoundLight &light) {
         return true;
     }
     LightFactors<Jet> factors = over_.factors(light, asked, &centroid_);
+    const double noise = spread * cone_noise(light);
+    const glm::dvec3 body = light.ambient * (asked.reach ? 1.0 : 0.0) + light.diffuse * (asked.incidence ? size : 0.0);
+    body_ += body != none ? noise * over_.strength(light) * largest(body) : 0;
     Asked smooth{false, false, false};
     if (asked.reach) {
         smooth.reach =
-            add(light.ambient_fades ? factors.reach : Factor<Jet>{one<Jet>()}, light.ambient, ambient, false, body_) &&
+            add(light.ambient_fades ? factors.reach : Factor<Jet>{one<Jet>()}, light.ambient, ambient, false, true) &&
             light.ambient_fades;
     }
     if (asked.incidence) {
         factors.incidence.number = light.diffuse_sign < 0 ? -1.0 * factors.incidence.number : factors.incidence.number;
-        smooth.incidence = add(factors.incidence, light.diffuse, lit, true, body_);
+        smooth.incidence = add(factors.incidence, light.diffuse, lit, true, true);
     }
     if (asked.highlight) {
-        smooth.highlight =
-            add(factors.highlight, light.specular, shown, technique.gate == Gate::times_n_dot_l, highlight_);
+        highlight_ += noise * largest(light.specular) * std::max(factors.highlight.number.value.hi, 0.0);
+        smooth.highlight = add(factors.highlight, light.specular, shown, technique.gate == Gate::times_n_dot_l, false);
     }
     smooth_.push_back({&light, smooth});
     return true;
@@ -203,7 +216,7 @@ Bound shading_bound(const BoundObject &object, const BoundTriangle &triangle, do
                 std::max(front.highlight, back.highlight)};
     }
     const Lighting<OverTriangle> over(object, triangle, {});
-    const Where faces_viewer = over.found() ? where(over.n_dot_v()) : Where::across;
+    const Where faces_viewer = over.found() ? where(over.n_dot_v(), over.longest_normal()) : Where::across;
     if (faces_viewer == Where::across) {
         return {.interpolation = infinite};
     }

@@ -25,7 +25,8 @@ struct BoundLight {
     glm::dvec3 ambient{0}, diffuse{0}, specular{0};
 };
 
-/// float32 may take a branch's other side where a cosine is this near to its edge.
+/// float32 may take a branch's other side where a cosine is this near to its edge, or so many times as near as the
+/// direction to the light has roundings.
 constexpr double branch_width = 8 * 0x1p-24;
 
 /// What the bound needs to know of an object, its lights and the technique.
@@ -48,8 +49,9 @@ struct BoundTriangle {
 /// Over all points of a triangle and all channels.
 struct Bound {
     double interpolation = 0; ///< an upper bound of the difference in exact arithmetic; infinite where nothing is known
-    double body = 0;          ///< no more light than this comes from ambient and diffuse terms ...
-    double highlight = 0;     ///< ... and from specular ones: what float32 rounds
+    /// What float32 rounds: no more light than this comes from ambient and diffuse terms and from specular ones, times
+    /// how many roundings its direction and its cone have.
+    double body = 0, highlight = 0;
 };
 
 /// A term that jumps counts with all of its height, one with a kink with the kink's. What the second derivatives alone

@@ -144,8 +144,8 @@ PictureOptions picture_options(const CaptureFlags &flags) {
         options.drawn_over.*kind.on = options.drawn_over.*kind.on || flags.overlays.*kind.on;
     }
     for (const OverlayKind &kind : overlay_kinds) {
-        const bool on_surface = kind.on != &Overlays::wireframe && kind.on != &Overlays::lights;
-        if (options.layout == Layout::difference && on_surface && flags.overlays.*kind.on) {
+        const bool allowed = kind.in_difference || kind.on == &Overlays::lights;
+        if (options.layout == Layout::difference && !allowed && flags.overlays.*kind.on) {
             throw InputError("--{}: a difference shows what is measured, and has the wireframe at most", kind.word);
         }
     }

@@ -32,6 +32,7 @@ std::string help_footer() {
             text += fmt::format("    {:<21} {}\n", value.name, value.look_for);
         }
     }
+    text += fmt::format("  {}: {}\n", tolerance_name, tolerance_doc);
     return text +
            "\nSCENE is the name of a built-in scene (see: shading-sandbox list), or the path of a scene (.json),\n"
            "of a picture's sidecar (.png.json) or of a mesh (.obj).\n"

@@ -110,7 +110,7 @@ void add_certificate(nlohmann::ordered_json &json, const Scene &scene, const Tec
     for (const Quantity<CertificateFigures> &quantity : certificate_quantities) {
         json[fmt::format("auto_{}", quantity.name)] = quantity_json<nlohmann::ordered_json>(quantity, figures);
     }
-    json["auto_nothing_proved"] =
+    json["auto_reason"] =
         figures.nothing_proved.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(figures.nothing_proved);
 }
 
@@ -235,7 +235,8 @@ void add_compare(CLI::App &app, CommonOptions &common, Run &run) {
         "  reason                why the errors say little, or are none: less than half is compared\n"
         "  auto_...              of a left technique with the frequency auto: its promise (tolerance), what is\n"
         "                        proved (bound), the true error beside per-pixel on the same mesh, the share\n"
-        "                        of the area seen that is lit per vertex, its triangles, the time to choose\n"
+        "                        of the area seen that is lit per vertex, its triangles, the time to choose;\n"
+        "                        reason: why no triangle is, where a key of the technique decides that\n"
         "  no_effect             keys that are on and cannot change a pixel of this scene\n"
         "  same_picture          both techniques draw the scene with the same programs and numbers");
     run_when_chosen(command, common, run, flags, run_compare);

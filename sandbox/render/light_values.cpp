@@ -49,9 +49,7 @@ LightValues light_values(const Scene &scene, const ObjectLight &on_object, const
     if (on_object.specular) {
         values.specular = material.specular * light.color * (light.specular * on_object.specular_factor);
     }
-    if (const double most = std::max({values.diffuse.x, values.diffuse.y, values.diffuse.z}); most > 0) {
-        values.specular_share = std::max({values.specular.x, values.specular.y, values.specular.z}) / most;
-    }
+    values.specular_share = specular_share(material, light, on_object);
     values.half_vector = scene_half_vector(light, scene);
     values.attenuation = scaled(light.attenuation, space.lit_scale);
     if (has_cone(light)) {

@@ -25,7 +25,7 @@ struct LightValues {
 LightValues light_values(const Scene &scene, const ObjectLight &on_object, const Material &material,
                          const EyeSpace &space);
 
-/// What lights of a kind may have in common: "point_constant", or a member of one of them.
+/// What lights of a kind may share, each name after `prefix`: "point_", or "point_lights[0].".
 void put_shared(UniformSink &sink, const std::string &prefix, const LightValues &light);
 
 /// All of one light's members, below `name` ("point_lights[0]").

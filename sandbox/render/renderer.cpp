@@ -191,7 +191,15 @@ struct Renderer::Impl {
     void add_split(Prepared &prepared, const Scene &scene, const Technique &technique, const Canvas &canvas,
                    DrawOptions options) {
         const std::vector<SplitMesh> &split = splits.of(scene, technique, prepared.loaded, canvas.size);
+        const auto cut =
+            seen_parts(scene, part_of_auto(technique, Frequency::per_pixel), prepared.loaded, aspect_of(canvas.size));
         for (std::size_t i = 0; i < split.size(); ++i) {
+            if (cut[i].mesh != prepared.loaded[i].mesh) { // so narrow a view has few triangles, and needs their digits
+                prepared.loaded[i] = cut[i];
+                prepared.parts.push_back(
+                    {i, prepare_object(scene, technique, scene.objects[i], *cut[i].mesh, options)});
+                continue;
+            }
             for (const Frequency frequency : {Frequency::per_vertex, Frequency::per_pixel}) {
                 options.part = frequency;
                 if (const TrianglePart triangles = split[i].part(frequency); triangles.count > 0) {

@@ -7,9 +7,9 @@
 namespace sandbox {
 namespace {
 
-/// Of all entries that are kept: 48 MB.
-constexpr std::size_t most_triangles = 4'000'000;
-constexpr std::size_t most_entries = 64;
+/// Of all entries that are kept beside those of A and B: 48 MB.
+constexpr std::size_t most_kept_triangles = 4'000'000;
+constexpr std::size_t most_entries = 64, least_entries = 2;
 
 SplitMesh split(const Mesh &mesh, const certificate::ObjectChoice &choice) {
     std::vector<glm::uvec3> order;
@@ -27,7 +27,10 @@ SplitMesh split(const Mesh &mesh, const certificate::ObjectChoice &choice) {
     return made;
 }
 
-bool same(const std::weak_ptr<const Mesh> &kept, const ObjectResources &now) { return kept.lock() == now.mesh; }
+template <class Kept> bool expired(const std::weak_ptr<Kept> &kept) {
+    const std::weak_ptr<Kept> none;
+    return kept.expired() && (kept.owner_before(none) || none.owner_before(kept));
+}
 
 } // namespace
 
@@ -38,27 +41,36 @@ const std::vector<SplitMesh> &SplitMeshes::of(const Scene &scene, const Techniqu
     asked.program = Program::specialised; // changes no bound
     const auto found = std::ranges::find_if(entries_, [&](const Entry &entry) {
         return entry.aspect == aspect && entry.technique == asked && entry.scene == scene &&
-               std::ranges::equal(entry.meshes, resources, same);
+               std::ranges::equal(
+                   entry.meshes, resources, {}, [](const auto &kept) { return kept.lock(); }, &ObjectResources::mesh) &&
+               std::ranges::equal(
+                   entry.textures, resources, {}, [](const auto &kept) { return kept.lock(); },
+                   &ObjectResources::texture);
     });
     if (found != entries_.end()) {
-        return found->split;
+        std::rotate(found, found + 1, entries_.end());
+        return entries_.back().split;
     }
-    Entry entry{scene, asked, aspect, {}, {}};
+    std::erase_if(entries_, [](const Entry &entry) {
+        return std::ranges::any_of(entry.meshes, expired<const Mesh>) ||
+               std::ranges::any_of(entry.textures, expired<const Image>);
+    });
+    Entry entry{scene, asked, aspect, {}, {}, {}};
     const certificate::Choice choice = certificate::choose(scene, resources, asked, asked.tolerance, aspect);
     for (std::size_t i = 0; i < resources.size(); ++i) {
         const Mesh &mesh = *resources[i].mesh;
         entry.meshes.emplace_back(resources[i].mesh);
+        entry.textures.emplace_back(resources[i].texture);
         entry.split.push_back(split(mesh, choice.objects[i]));
         entry.triangles += mesh.triangles.size();
     }
     entries_.push_back(std::move(entry));
-    std::size_t kept = 0;
-    const auto oldest = std::find_if(entries_.rbegin() + 1, entries_.rend(), [&](const Entry &earlier) {
-        kept += earlier.triangles;
-        return kept + entries_.back().triangles > most_triangles;
-    });
-    entries_.erase(entries_.begin(), oldest.base());
-    if (entries_.size() > most_entries) {
+    std::size_t triangles = 0;
+    for (const Entry &kept : entries_) {
+        triangles += kept.triangles;
+    }
+    while (entries_.size() > least_entries && (triangles > most_kept_triangles || entries_.size() > most_entries)) {
+        triangles -= entries_.front().triangles;
         entries_.pop_front();
     }
     return entries_.back().split;

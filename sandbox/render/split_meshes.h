@@ -36,10 +36,11 @@ class SplitMeshes {
         Technique technique;
         double aspect;
         std::vector<std::weak_ptr<const Mesh>> meshes;
+        std::vector<std::weak_ptr<const Image>> textures;
         std::vector<SplitMesh> split;
         std::size_t triangles = 0;
     };
-    std::deque<Entry> entries_; ///< the latest last
+    std::deque<Entry> entries_; ///< the last one asked for last
 };
 
 } // namespace sandbox

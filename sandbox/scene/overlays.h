@@ -19,11 +19,12 @@ struct OverlayKind {
     std::string_view title; ///< in the window
     std::string_view help;
     char key;
-    glm::vec3 color{}; ///< linear RGB, of what is drawn on surfaces
+    glm::vec3 color{};          ///< linear RGB, of what is drawn on surfaces
+    bool in_difference = false; ///< the same on both sides, and so in their difference, too
 };
 
 inline constexpr std::array overlay_kinds{
-    OverlayKind{&Overlays::wireframe, "wireframe", "wireframe", "the triangles' edges", 'W', {0.9F, 0.9F, 0.9F}},
+    OverlayKind{&Overlays::wireframe, "wireframe", "wireframe", "the triangles' edges", 'W', {0.9F, 0.9F, 0.9F}, true},
     OverlayKind{
         &Overlays::normals, "normals", "normals", "normals as each side transforms them", 'N', {0.1F, 0.8F, 1.0F}},
     OverlayKind{&Overlays::vertices, "vertices", "vertices", "a dot at each vertex", 'V', {1.0F, 0.7F, 0.05F}},

@@ -240,18 +240,21 @@ void derive_what_is_one(Features &f, const Scene &scene, const Material &materia
         LightFeatures &light = f.lights[kind.type];
         light.one_color = one_sum && !rounds_in_order && light.diffuse && light.specular &&
                           std::ranges::all_of(lights.of_kind[kind.type], has_one_color);
-        const auto same = [&](const auto &value_of) {
-            const auto &all = lights.of_kind[kind.type];
-            return all.size() > 1 && !rounds_in_order && std::ranges::all_of(all, [&](const ObjectLight &light) {
-                       return value_of(light, scene.lights[light.index]) ==
-                              value_of(all[0], scene.lights[all[0].index]);
+        const std::vector<ObjectLight> &all = lights.of_kind[kind.type];
+        const auto as_the_first = [&](const auto &same) {
+            return all.size() > 1 && !rounds_in_order && std::ranges::all_of(all, [&](const ObjectLight &one) {
+                       return same(one, scene.lights[one.index], all[0], scene.lights[all[0].index]);
                    });
         };
-        light.one_share = light.one_color && same([](const ObjectLight &use, const Light &given) {
-                              return use.specular_factor * given.specular / (use.diffuse_factor * given.diffuse);
+        light.one_share = light.one_color && as_the_first([&](const ObjectLight &use, const Light &given,
+                                                              const ObjectLight &first_use, const Light &first) {
+                              const double share = specular_share(material, given, use),
+                                           its = specular_share(material, first, first_use);
+                              return std::abs(share - its) <= 1e-12 * its;
                           });
-        light.one_attenuation =
-            light.attenuated() && same([](const ObjectLight &, const Light &given) { return given.attenuation; });
+        light.one_attenuation = light.attenuated() &&
+                                as_the_first([](const ObjectLight &, const Light &given, const ObjectLight &,
+                                                const Light &first) { return given.attenuation == first.attenuation; });
     }
 }
 

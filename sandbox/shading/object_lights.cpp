@@ -17,6 +17,13 @@ ShiningTerms terms_on(const Object &object, const Light &light, Model model) {
             .specular = reflection(model).specular && shines(light.specular, object.material.specular)};
 }
 
+double specular_share(const Material &material, const Light &light, const ObjectLight &on_object) {
+    const auto largest = [](const glm::dvec3 &color) { return std::max({color.x, color.y, color.z}); };
+    const double diffuse = largest(material.diffuse * light.color) * light.diffuse * on_object.diffuse_factor;
+    const double specular = largest(material.specular * light.color) * light.specular * on_object.specular_factor;
+    return on_object.specular && diffuse > 0 ? specular / diffuse : 0;
+}
+
 bool has_soft_edge(const Light &light) { return light.inner_cutoff_degrees < light.cutoff_degrees; }
 
 bool is_narrow_cone(const Light &light) {

@@ -34,6 +34,9 @@ struct ObjectLights {
 
 ObjectLights lights_on_object(const Scene &scene, const Technique &technique, const Object &object);
 
+/// How many times the diffuse light of a light the specular is, where both have one colour; 0 without diffuse light.
+double specular_share(const Material &material, const Light &light, const ObjectLight &on_object);
+
 bool has_soft_edge(const Light &light);
 /// Is its cone or its soft edge too narrow for float32 cosines? Programs compare sines then.
 bool is_narrow_cone(const Light &light);

@@ -128,13 +128,16 @@ void ScriptPlayer::settle() {
     } while (window_.unsettled());
 }
 
-/// Until work in the background, too, has ended and is shown.
+/// Until work in the background, too, has ended and is shown. Next to no time passes in the window: on a slow machine a
+/// message would be gone before anyone could expect it.
 void ScriptPlayer::finish() {
     settle();
+    host_.set_frame_time(1e-4F);
     while (window_.busy()) {
         rest();
         settle();
     }
+    host_.set_frame_time(ScriptedHost::frame_time);
 }
 
 /// Scrolled into view if need be.
@@ -172,14 +175,14 @@ ScriptPlayer::Point ScriptPlayer::place(Words words) {
 void ScriptPlayer::press_at(Point at, ScriptedHost::Button button, int times) {
     host_.move_mouse(at.x, at.y);
     settle();
-    host_.set_frame_time(times > 1 ? 0.01F : 0.1F); // within or beyond the time of a double click
+    host_.set_frame_time(times > 1 ? 0.01F : ScriptedHost::frame_time); // within or beyond the time of a double click
     for (int i = 0; i < times; ++i) {
         host_.press(button, true);
         step();
         host_.press(button, false);
         step();
     }
-    host_.set_frame_time(0.1F);
+    host_.set_frame_time(ScriptedHost::frame_time);
     settle();
 }
 

@@ -46,6 +46,7 @@ class ScriptedHost final : public Host {
     void release_keys() { pressed_.clear(); }
     void type(const std::string &text);
     void drop(const std::string &path);
+    static constexpr float frame_time = 0.1F;
     /// Between two frames, for Dear ImGui's double clicks.
     void set_frame_time(float seconds) { frame_seconds_ = seconds; }
 
@@ -59,7 +60,7 @@ class ScriptedHost final : public Host {
     int mods_ = 0;                 ///< of the key that is pressed
     std::string typed_;
     float content_scale_ = 1;
-    float frame_seconds_ = 0.1F;
+    float frame_seconds_ = frame_time;
     double seconds_ = 0; ///< of all frames
 };
 

@@ -24,12 +24,12 @@ inline constexpr Quantity<CertificateFigures> certificate_quantities[]{
      &CertificateFigures::tolerance},
     {"bound", "proved", "linear colour", "largest difference from per-pixel that the proof leaves possible",
      &CertificateFigures::bound},
-    {"true_error", "true", "linear colour", "largest difference from per-pixel on the same mesh, both in double",
+    {"true_error", "true error", "linear colour", "largest difference from per-pixel on the same mesh, both in double",
      &CertificateFigures::error},
     {"per_vertex_share", "share of area", "", "share of the area seen, hidden or not, that is lit per vertex",
      &CertificateFigures::share},
     {"per_vertex_triangles", "triangles", "", "triangles that are lit per vertex", &CertificateFigures::triangles},
-    {"facing_triangles", "of", "", "triangles whose front may be seen", &CertificateFigures::facing},
+    {"facing_triangles", "facing", "", "triangles whose front may be seen", &CertificateFigures::facing},
     {"choosing", "choosing, ms", "ms", "time to choose and to prove", &CertificateFigures::choosing},
 };
 

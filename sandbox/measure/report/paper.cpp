@@ -40,7 +40,7 @@ PaperColor paper_color(std::string_view name) {
 }
 
 PaperColor series_paper_color(std::optional<int> style) {
-    constexpr std::array<std::string_view, 9> names{"s0", "s1", "s2", "s3", "s4", "a", "b", "p3", "muted"};
+    constexpr std::array<std::string_view, 10> names{"s0", "s1", "s2", "s3", "s4", "s5", "a", "b", "p3", "muted"};
     return paper_color(style ? names[static_cast<std::size_t>(*style) % names.size()] : "front");
 }
 

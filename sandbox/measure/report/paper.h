@@ -13,8 +13,8 @@ using PaperColor = std::array<std::uint8_t, 3>;
 /// "ink", "muted", "rule", "s0", ... Throws std::invalid_argument for a name that the style does not have.
 PaperColor paper_color(std::string_view name);
 
-/// The styles of series that are no frequencies.
-constexpr int style_a = 5, style_b = 6, style_truth = 7, style_guide = 8;
+/// The styles of series that are no frequencies, behind those that are.
+constexpr int style_a = 6, style_b = 7, style_truth = 8, style_guide = 9;
 /// Of a series; none: of the front.
 PaperColor series_paper_color(std::optional<int> style);
 

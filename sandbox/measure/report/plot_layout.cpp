@@ -215,11 +215,12 @@ std::optional<std::size_t> nearest_point(const PlotLayout &layout, double x, dou
 
 std::span<const std::pair<double, double>> marker_corners(int style) {
     using Corners = std::vector<std::pair<double, double>>;
-    static const std::array<Corners, 5> markers{Corners{},
+    static const std::array<Corners, 6> markers{Corners{},
                                                 {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}},
                                                 {{0, -1.4}, {1.4, 0}, {0, 1.4}, {-1.4, 0}},
                                                 {{0, -1.3}, {1.25, 1}, {-1.25, 1}},
-                                                {{0, 1.3}, {-1.25, -1}, {1.25, -1}}};
+                                                {{0, 1.3}, {-1.25, -1}, {1.25, -1}},
+                                                {{-1.5, -0.6}, {1.5, -0.6}, {1.5, 0.6}, {-1.5, 0.6}}};
     return markers[static_cast<std::size_t>(style) % markers.size()];
 }
 

@@ -48,6 +48,7 @@ class Finder {
                 drawn.frames[right ? 1 : 0] = picture(right, size);
                 drawn.truths[right ? 1 : 0] =
                     right && shown_.one_truth() && drawn.truths[0] ? drawn.truths[0] : truth(right, size);
+                side.device = device_levels(right, size);
             } catch (const InputError &error) {
                 side.failure = error.what();
             } catch (const MachineError &error) {
@@ -55,7 +56,6 @@ class Finder {
             }
             if (side.failure.empty()) {
                 judge(*drawn.frames[right ? 1 : 0], *drawn.truths[right ? 1 : 0], estimate, side);
-                side.device = device_levels(right, size);
             }
         }
         if (!estimate && drawn.frames[0] && drawn.frames[1]) {
@@ -108,8 +108,9 @@ class Finder {
     }
 
     [[nodiscard]] std::optional<double> device_levels(bool right, Size size) {
-        Technique high = technique(right);
-        if (high.precision == Precision::high || !Renderer::knows_precision()) {
+        Technique high = part_of_auto(technique(right), Frequency::per_pixel);
+        const bool textbook = !right && shown_.textbook_left;
+        if (high.precision == Precision::high || high.model == Model::own || textbook || !Renderer::knows_precision()) {
             return std::nullopt;
         }
         high.precision = Precision::high;

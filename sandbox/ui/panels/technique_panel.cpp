@@ -164,7 +164,7 @@ void key_rows(Session &session, const TechniqueKey &key, const std::string &titl
 
 /// What `auto` may differ by, of the sides that have it.
 void tolerance_rows(Session &session) {
-    constexpr Range range{.low = 1e-6, .high = 1, .slider = {1.0 / 2550, 1.0 / 10, "%.5f", true}};
+    constexpr Range range{.low = 1e-6, .high = 1, .slider = {1.0 / 2550, 1.0 / 10, "%.3g", true}};
     for (const bool right : {false, true}) {
         if (Technique &side = session.technique(right); side.frequency == Frequency::automatic) {
             const ScopedName name(session, right ? "B" : "A");

@@ -169,7 +169,10 @@ void draw_figures(Session &session, const ViewPainter &painter, const Rect &rect
     if (!run_time) {
         return;
     }
-    if (session.technique(right).precision == Precision::medium && side != nullptr && side->metrics) {
+    const Technique &technique = session.technique(right);
+    const bool halves = technique.precision == Precision::medium && technique.model != Model::own &&
+                        (right || !session.document.left_is_textbook());
+    if (halves && side != nullptr && side->metrics) {
         const std::vector<std::string> texts = device_texts(session.words, *side);
         draw_text_line(session, name + "/device", rect, rect.high.y + line, plain, longest_that_fits(texts, room),
                        align_right);

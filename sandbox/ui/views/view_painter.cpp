@@ -17,9 +17,11 @@ namespace {
 constexpr Frequency plainest = Frequency::flat;
 
 /// A window draws what has just moved, and constants would be stale: baked programs are built aside, once it rests, to
-/// be measured. `moving`: what `auto` chooses would be stale, too, and per-pixel looks the same; but not with stripes.
+/// be measured. `moving`: what `auto` chooses would be stale, too, and within a level of 8 bits per-pixel looks the
+/// same; but not with stripes.
 Technique as_drawn(const Technique &technique, bool moving, const Overlays &overlays) {
-    Technique drawn = moving && !overlays.proved ? part_of_auto(technique, Frequency::per_pixel) : technique;
+    const bool looks_the_same = technique.tolerance <= default_tolerance && !overlays.proved;
+    Technique drawn = moving && looks_the_same ? part_of_auto(technique, Frequency::per_pixel) : technique;
     drawn.program = drawn.program == Program::baked ? Program::specialised : drawn.program;
     return drawn;
 }
@@ -326,14 +328,15 @@ void ViewPainter::paint(const Session &session, Size each, bool moving) {
     const DisplayMap display{document.display, document.exposure};
     bool changed = view.difference_of != difference_of_;
     const Scene seen = scene_in_view(document, each);
+    const Overlays overlays = on_surfaces(view.drawn_over, view.layout);
     for (const bool right : {false, true}) {
         const bool textbook = !right && document.left_is_textbook();
         const double factor = document.mesh_factors[right ? 1 : 0];
         const ViewKey key{with_mesh_factor(seen, factor),
-                          as_drawn(session.technique(right), moving, view.drawn_over),
+                          as_drawn(session.technique(right), moving, overlays),
                           each,
                           textbook,
-                          on_surfaces(view.drawn_over, view.layout),
+                          overlays,
                           reloads_};
         changed |= paint_side(sides_[right ? 1 : 0], key, display, key.finished() || reads_light(view));
     }

@@ -62,8 +62,8 @@ bool is_dark() { return ImGui::GetStyle().Colors[ImGuiCol_WindowBg].x < 0.5F; }
 Palette palette() { return is_dark() ? dark_palette() : light_palette(); }
 
 /// No two within 20 of CIELAB for normal, red-blind or green-blind eyes.
-constexpr unsigned dark_series[] = {0x7D7570, 0xFF8A4A, 0x4477FF, 0xB8FFC8, 0xC6B8FF};
-constexpr unsigned light_series[] = {0x8A8A9C, 0xE8254F, 0x0072B2, 0x175A20, 0x7315D9};
+constexpr unsigned dark_series[] = {0x7D7570, 0xFF8A4A, 0x4477FF, 0xB8FFC8, 0xC6B8FF, 0xDDFF11};
+constexpr unsigned light_series[] = {0x8A8A9C, 0xE8254F, 0x0072B2, 0x175A20, 0x7315D9, 0xFF8811};
 
 } // namespace
 

@@ -49,7 +49,7 @@ Triple lab(Triple rgb) {
     return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
 }
 
-/// The series colours of a page or the window, five for each theme.
+/// The series colours of a page or the window, six for each theme.
 std::vector<unsigned> colors_in(const std::string &file, const std::string &pattern) {
     const std::string text = read_file(std::string(SOURCE_DIR) + file);
     const std::regex color(pattern);
@@ -62,11 +62,11 @@ std::vector<unsigned> colors_in(const std::string &file, const std::string &patt
 
 /// 20 is about ten times what can just be seen side by side: enough for thin lines and small markers.
 TEST(SeriesColors, KeepApartForColorBlindEyes) {
-    const std::vector<unsigned> all = colors_in("/assets/page/style.css", "--s[0-4]: #([0-9a-f]{6})");
-    ASSERT_EQ(all.size(), 15U) << "light, dark, and for printing";
-    for (std::size_t theme = 0; theme < 15; theme += 5) {
+    const std::vector<unsigned> all = colors_in("/assets/page/style.css", "--s[0-5]: #([0-9a-f]{6})");
+    ASSERT_EQ(all.size(), 18U) << "light, dark, and for printing";
+    for (std::size_t theme = 0; theme < 18; theme += 6) {
         for (std::size_t eye = 0; eye < eyes.size(); ++eye) {
-            for (std::size_t i = theme; i < theme + 5; ++i) {
+            for (std::size_t i = theme; i < theme + 6; ++i) {
                 for (std::size_t j = theme; j < i; ++j) {
                     const Triple a = lab(times(eyes[eye], linear(all[i]))), b = lab(times(eyes[eye], linear(all[j])));
                     EXPECT_GT(std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]), 20)
@@ -78,7 +78,7 @@ TEST(SeriesColors, KeepApartForColorBlindEyes) {
 }
 
 TEST(SeriesColors, OfTheWindowAreTheReports) {
-    const std::vector<unsigned> page = colors_in("/assets/page/style.css", "--s[0-4]: #([0-9a-f]{6})");
+    const std::vector<unsigned> page = colors_in("/assets/page/style.css", "--s[0-5]: #([0-9a-f]{6})");
     const std::string text = read_file(std::string(SOURCE_DIR) + "/sandbox/ui/widgets/theme.cpp");
     for (std::size_t i = 0; i < page.size(); ++i) {
         char hex[16];
