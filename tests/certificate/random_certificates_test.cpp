@@ -135,5 +135,36 @@ TEST(RandomCertificates, AreNeverBroken) {
     EXPECT_GT(lit, facing / 10); // proving nothing would break nothing
 }
 
+/// A constant half vector that is 0 leaves N.N in place of N.H: a highlight that no bound of N.H knows.
+TEST(Certificate, ALostHalfVectorProvesNothing) {
+    Scene scene;
+    scene.camera.position = {0, 6, 0};
+    scene.camera.up = {0, 0, -1};
+    scene.objects.push_back({"plane", PlaneShape{{4, 4}, 1}, {}, {}, false});
+    Light light;
+    light.position = {0, -1, 0};
+    light.attenuation = {0, 0, 1};
+    scene.lights.push_back(light);
+    Resources resources(Assets("assets"));
+    const auto loaded = resources.load(scene);
+    const Technique technique = parse_technique("per-pixel/blinn-phong:gate=none,half_vector=constant");
+    EXPECT_EQ(certificate::choose(scene, loaded, technique, 1.0 / 255, 1).objects[0].lit_per_vertex, 0U);
+}
+
+/// What float32 leaves of light so bright is more than the tolerance, wherever it comes from.
+TEST(Certificate, BrightLightThatIsConstantProvesNothing) {
+    Scene scene = random_scene(1);
+    scene.objects = {{"ball", SphereShape{1, 32, 64}, {}, {}, false}};
+    Resources resources(Assets("assets"));
+    const auto lit = [&] {
+        return certificate::choose(scene, resources.load(scene), parse_technique("per-pixel/lambert"), 1.0 / 255, 1)
+            .objects[0]
+            .lit_per_vertex;
+    };
+    EXPECT_GT(lit(), 0U);
+    scene.objects[0].material.emission = {1e5, 1e5, 1e5};
+    EXPECT_EQ(lit(), 0U);
+}
+
 } // namespace
 } // namespace sandbox

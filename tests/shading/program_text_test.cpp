@@ -113,6 +113,26 @@ TEST(ProgramText, OneColourServesDiffuseAndSpecularLightWhereTheyHaveTheSame) {
     EXPECT_FALSE(has(text_of(scene, "per-pixel/blinn-phong"), "specular_share"));
 }
 
+/// Of the lights alone: a coloured material makes other shares of a red and a green lamp.
+TEST(ProgramText, WhatLightsOfAKindShareIsOneUniform) {
+    Scene scene = named("point");
+    scene.lights[0].attenuation = {0.2, 0.1, 0.1};
+    scene.lights.push_back(scene.lights[0]);
+    scene.lights[0].color = {0.8, 0, 0};
+    scene.lights[1].color = {0, 0.3, 0};
+    scene.lights[1].position.x += 1;
+    const auto text = [&] { return text_of(scene, "per-pixel/blinn-phong"); };
+    EXPECT_TRUE(has(text(), "point_constant + d * (point_linear + point_quadratic * d)"));
+    EXPECT_TRUE(has(text(), "point_specular_share * highlight"));
+    scene.objects[0].material.diffuse = {1, 0.5, 0.5};
+    EXPECT_TRUE(has(text(), "light.specular_share * highlight"));
+    scene.lights[1].attenuation.linear = 0.2;
+    EXPECT_TRUE(has(text(), "light.constant + d * (light.linear + light.quadratic * d)"));
+    scene.objects[0].material.diffuse = {1, 1, 1};
+    scene.lights[1].specular = 0.5;
+    EXPECT_TRUE(has(text(), "light.specular_share * highlight"));
+}
+
 TEST(ProgramText, WhatASceneNeedsIsThere) {
     const std::string text = text_of(named("all"), "per-pixel/blinn-phong");
     EXPECT_TRUE(has(text, "pow(f2, 0.5 * shininess)"));
