@@ -2,6 +2,7 @@
 #include "image/pfm.h"
 #include "image/png.h"
 #include "measure/metrics/profile.h"
+#include "measure/report/paper.h"
 #include "measure/report/text.h"
 #include "scene/scene_file.h"
 #include "tools/xml.h"
@@ -145,13 +146,13 @@ TEST_F(FiguresGl, TheProfileIsThePicturesRow) {
     std::smatch row;
     ASSERT_TRUE(std::regex_search(svg, row, std::regex(R"(Luminance along row (\d+))")));
     for (const auto &[technique, style] :
-         {std::pair("per-vertex/blinn-phong", "s5"), std::pair("per-pixel/blinn-phong", "s6")}) {
+         {std::pair("per-vertex/blinn-phong", style_a), std::pair("per-pixel/blinn-phong", style_b)}) {
         ASSERT_EQ(run_sandbox({"capture", "point-light", "--technique", technique, "--size", "64x48", "--out",
                                folder.file("view.pfm")})
                       .exit_code,
                   0);
         const Curve curve = luminance_row(decode_pfm(folder.read("view.pfm"), "view.pfm"), std::stoi(row[1]));
-        const std::string begin = fmt::format("<g class=\"{}\"><path class=\"line\" d=\"M", style);
+        const std::string begin = fmt::format("<g class=\"s{}\"><path class=\"line\" d=\"M", style);
         const std::size_t at = svg.find(begin);
         ASSERT_NE(at, std::string::npos);
         std::string path = svg.substr(at + begin.size(), svg.find('"', at + begin.size()) - at - begin.size());
