@@ -10,6 +10,8 @@ namespace sandbox {
 
 namespace {
 
+static_assert(all_frequencies.size() == 6, "style.css, theme.cpp, paper.h and marker_corners() have a style for each");
+
 PlotSeries series_of(const Words &words, const WorkPrecision &m, const Technique &technique, ErrorNorm norm) {
     PlotSeries series{
         title_of(words, frequency_key, static_cast<int>(technique.frequency)), series_style(technique.frequency), {}};

@@ -12,7 +12,6 @@ namespace sandbox {
 
 /// A plot has one series per frequency, in the order of all_frequencies; its number there is its style.
 std::vector<std::string> series_names(const Words &words);
-static_assert(all_frequencies.size() == 6, "style.css, theme.cpp, paper.h and marker_corners() have a style for each");
 constexpr int series_style(Frequency frequency) { return static_cast<int>(frequency); }
 
 /// The base rows of one model: one line per frequency, coarse meshes first, with the front and the tolerances. A
