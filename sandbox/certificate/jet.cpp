@@ -20,9 +20,25 @@ Interval range(double a, double b, double c, double slack) {
     return {std::min(a, std::min(b, c)) - slack, std::max(a, std::max(b, c)) + slack};
 }
 
+Jet dot_at_centroid(const Linear &a, const Linear &b) {
+    const double slack = slack_of(a, b);
+    const glm::dvec3 a1 = a[1] - a[0], a2 = a[2] - a[0], b1 = b[1] - b[0], b2 = b[2] - b[0];
+    const glm::dvec3 p = (a[0] + a[1] + a[2]) / 3.0, q = (b[0] + b[1] + b[2]) / 3.0;
+    const auto about = [&](double x) { return Interval{x - slack, x + slack}; };
+    return {about(glm::dot(p, q)),
+            about(glm::dot(p, b1) + glm::dot(a1, q)),
+            about(glm::dot(p, b2) + glm::dot(a2, q)),
+            about(2 * glm::dot(a1, b1)),
+            about(glm::dot(a1, b2) + glm::dot(a2, b1)),
+            about(2 * glm::dot(a2, b2))};
+}
+
 } // namespace
 
 Jet OverTriangle::operator()(const Linear &a, const Linear &b) const {
+    if (at_centroid) {
+        return dot_at_centroid(a, b);
+    }
     const double slack = slack_of(a, b);
     const glm::dvec3 a1 = a[1] - a[0], a2 = a[2] - a[0], b1 = b[1] - b[0], b2 = b[2] - b[0];
     const double c0 = glm::dot(a[0], b[0]), c1 = glm::dot(a[1], b[1]), c2 = glm::dot(a[2], b[2]);
@@ -38,19 +54,6 @@ Jet OverTriangle::operator()(const Linear &a, const Linear &b) const {
             about(uu),
             about(uv),
             about(vv)};
-}
-
-Jet AtCentroid::operator()(const Linear &a, const Linear &b) const {
-    const double slack = slack_of(a, b);
-    const glm::dvec3 a1 = a[1] - a[0], a2 = a[2] - a[0], b1 = b[1] - b[0], b2 = b[2] - b[0];
-    const glm::dvec3 p = (a[0] + a[1] + a[2]) / 3.0, q = (b[0] + b[1] + b[2]) / 3.0;
-    const auto about = [&](double x) { return Interval{x - slack, x + slack}; };
-    return {about(glm::dot(p, q)),
-            about(glm::dot(p, b1) + glm::dot(a1, q)),
-            about(glm::dot(p, b2) + glm::dot(a2, q)),
-            about(2 * glm::dot(a1, b1)),
-            about(glm::dot(a1, b2) + glm::dot(a2, b1)),
-            about(2 * glm::dot(a2, b2))};
 }
 
 Interval AtPoint::operator()(const Linear &a, const Linear &b) const {

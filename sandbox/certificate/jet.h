@@ -60,13 +60,10 @@ using Linear = std::array<glm::dvec3, 3>;
 /// The dot product of two of them ...
 /// over the triangle: a polynomial of degree 2, which lies between the smallest and the largest of its Bernstein
 /// coefficients; its first derivatives are linear, between their values at the corners.
+/// or, where `at_centroid`, there alone.
 struct OverTriangle {
     using Number = Jet;
-    Jet operator()(const Linear &a, const Linear &b) const;
-};
-/// with its derivatives at the centroid alone.
-struct AtCentroid {
-    using Number = Jet;
+    bool at_centroid = false;
     Jet operator()(const Linear &a, const Linear &b) const;
 };
 /// at the point with these weights of the corners, without derivatives.

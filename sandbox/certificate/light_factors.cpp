@@ -135,7 +135,7 @@ Factor<typename Dot::Number> Lighting<Dot>::cone(const BoundLight &light, const 
 
 template <class Dot>
 Factor<typename Dot::Number> Lighting<Dot>::highlight_power(const BoundLight &light,
-                                                            const Lighting<AtCentroid> *centroid) const {
+                                                            const Lighting<OverTriangle> *centroid) const {
     auto f = highlight_cosine(light);
     if (!f) {
         return rough<Number>(object_.unit_normals ? Interval{0, 1} : anything);
@@ -153,7 +153,7 @@ Factor<typename Dot::Number> Lighting<Dot>::highlight_power(const BoundLight &li
 
 template <class Dot>
 LightFactors<typename Dot::Number> Lighting<Dot>::factors(const BoundLight &light, const Asked &asked,
-                                                          const Lighting<AtCentroid> *centroid) const {
+                                                          const Lighting<OverTriangle> *centroid) const {
     const Linear l = to_light(light);
     const bool times_n_dot_l = object_.technique.gate == Gate::times_n_dot_l;
     const Number square_distance = light.positional ? dot_(l, l) : one<Number>();
@@ -183,7 +183,6 @@ LightFactors<typename Dot::Number> Lighting<Dot>::factors(const BoundLight &ligh
 }
 
 template class Lighting<OverTriangle>;
-template class Lighting<AtCentroid>;
 template class Lighting<AtPoint>;
 
 } // namespace sandbox::certificate

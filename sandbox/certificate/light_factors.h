@@ -6,7 +6,7 @@
 #include <optional>
 
 /// The terms of one light, over a triangle or at a point of it, without the branches (N.L > 0, say) that the equation
-/// takes outside of them. `Dot` says where: OverTriangle, AtCentroid, AtPoint.
+/// takes outside of them. `Dot` says where: OverTriangle, AtPoint.
 namespace sandbox::certificate {
 
 /// Over a triangle: where a factor has a jump, a kink or no bounded derivatives it is not smooth, and its value alone
@@ -54,12 +54,12 @@ template <class Dot> class Lighting {
     [[nodiscard]] std::optional<Number> highlight_cosine(const BoundLight &light) const;
     /// `centroid`: the same there, which narrows what is known of f; else null.
     [[nodiscard]] LightFactors<Number> factors(const BoundLight &light, const Asked &asked,
-                                               const Lighting<AtCentroid> *centroid) const;
+                                               const Lighting<OverTriangle> *centroid) const;
 
   private:
     [[nodiscard]] Linear to_light(const BoundLight &light) const;
     [[nodiscard]] Factor<Number> cone(const BoundLight &light, const Linear &l, const Number &square_distance) const;
-    [[nodiscard]] Factor<Number> highlight_power(const BoundLight &light, const Lighting<AtCentroid> *centroid) const;
+    [[nodiscard]] Factor<Number> highlight_power(const BoundLight &light, const Lighting<OverTriangle> *centroid) const;
 
     const BoundObject &object_;
     Dot dot_;

@@ -42,7 +42,8 @@ struct SmoothLight {
 class Side {
   public:
     Side(const BoundObject &object, const BoundTriangle &triangle)
-        : object_(object), triangle_(triangle), over_(object, triangle, {}), centroid_(object, triangle, {}) {
+        : object_(object), triangle_(triangle), over_(object, triangle, {}),
+          centroid_(object, triangle, {.at_centroid = true}) {
         known_ = over_.found() && centroid_.found() &&
                  std::ranges::all_of(object.lights, [&](const BoundLight &light) { return add(light); });
     }
@@ -60,7 +61,7 @@ class Side {
     const BoundObject &object_;
     const BoundTriangle &triangle_;
     Lighting<OverTriangle> over_;
-    Lighting<AtCentroid> centroid_;
+    Lighting<OverTriangle> centroid_;
     bool known_ = false;
     std::array<Hessian, channels> hessian_; ///< of all smooth light
     std::vector<SmoothLight> smooth_;

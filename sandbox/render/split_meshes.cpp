@@ -27,11 +27,6 @@ SplitMesh split(const Mesh &mesh, const certificate::ObjectChoice &choice) {
     return made;
 }
 
-template <class Kept> bool expired(const std::weak_ptr<Kept> &kept) {
-    const std::weak_ptr<Kept> none;
-    return kept.expired() && (kept.owner_before(none) || none.owner_before(kept));
-}
-
 } // namespace
 
 const std::vector<SplitMesh> &SplitMeshes::of(const Scene &scene, const Technique &technique,
@@ -41,30 +36,28 @@ const std::vector<SplitMesh> &SplitMeshes::of(const Scene &scene, const Techniqu
     asked.program = Program::specialised; // changes no bound
     const auto found = std::ranges::find_if(entries_, [&](const Entry &entry) {
         return entry.aspect == aspect && entry.technique == asked && entry.scene == scene &&
-               std::ranges::equal(
-                   entry.meshes, resources, {}, [](const auto &kept) { return kept.lock(); }, &ObjectResources::mesh) &&
-               std::ranges::equal(
-                   entry.textures, resources, {}, [](const auto &kept) { return kept.lock(); },
-                   &ObjectResources::texture);
+               std::ranges::equal(entry.held, resources, [](const Held &held, const ObjectResources &now) {
+                   return held.mesh.lock() == now.mesh && held.texture.lock() == now.texture;
+               });
     });
     if (found != entries_.end()) {
-        std::rotate(found, found + 1, entries_.end());
+        entries_.splice(entries_.end(), entries_, found);
         return entries_.back().split;
     }
-    std::erase_if(entries_, [](const Entry &entry) {
-        return std::ranges::any_of(entry.meshes, expired<const Mesh>) ||
-               std::ranges::any_of(entry.textures, expired<const Image>);
-    });
-    Entry entry{scene, asked, aspect, {}, {}, {}};
+    entries_.remove_if([](const Entry &entry) { return std::ranges::any_of(entry.held, &Held::gone); });
+    std::list<Entry> made(1);
+    Entry &entry = made.front();
+    entry.scene = scene;
+    entry.technique = asked;
+    entry.aspect = aspect;
     const certificate::Choice choice = certificate::choose(scene, resources, asked, asked.tolerance, aspect);
     for (std::size_t i = 0; i < resources.size(); ++i) {
         const Mesh &mesh = *resources[i].mesh;
-        entry.meshes.emplace_back(resources[i].mesh);
-        entry.textures.emplace_back(resources[i].texture);
+        entry.held.push_back({resources[i].mesh, resources[i].texture, resources[i].texture != nullptr});
         entry.split.push_back(split(mesh, choice.objects[i]));
         entry.triangles += mesh.triangles.size();
     }
-    entries_.push_back(std::move(entry));
+    entries_.splice(entries_.end(), made);
     std::size_t triangles = 0;
     for (const Entry &kept : entries_) {
         triangles += kept.triangles;

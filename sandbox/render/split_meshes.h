@@ -5,7 +5,7 @@
 #include "scene/resources.h"
 #include "shading/technique.h"
 
-#include <deque>
+#include <list>
 #include <memory>
 #include <vector>
 
@@ -31,16 +31,21 @@ class SplitMeshes {
                                      const std::vector<ObjectResources> &resources, Size size);
 
   private:
+    struct Held {
+        std::weak_ptr<const Mesh> mesh;
+        std::weak_ptr<const Image> texture;
+        bool has_texture;
+        [[nodiscard]] bool gone() const { return mesh.expired() || (has_texture && texture.expired()); }
+    };
     struct Entry {
         Scene scene;
         Technique technique;
-        double aspect;
-        std::vector<std::weak_ptr<const Mesh>> meshes;
-        std::vector<std::weak_ptr<const Image>> textures;
+        double aspect = 1;
+        std::vector<Held> held; ///< one per object
         std::vector<SplitMesh> split;
         std::size_t triangles = 0;
     };
-    std::deque<Entry> entries_; ///< the last one asked for last
+    std::list<Entry> entries_; ///< the last one asked for last
 };
 
 } // namespace sandbox

@@ -137,7 +137,7 @@ TEST(Jets, HoldADifferenceQuotientOfAComposition) {
             const Jet length = dot(c, c);
             return dot(a, b) * compose(*inverse_root(length.value), length);
         };
-        const Jet base = narrowed(jet_at(OverTriangle{}), jet_at(AtCentroid{}));
+        const Jet base = narrowed(jet_at(OverTriangle{}), jet_at(OverTriangle{.at_centroid = true}));
         const auto curve = power(base.value, n);
         if (!curve) {
             continue;
