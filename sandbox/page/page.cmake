@@ -15,7 +15,7 @@ add_dependencies(shading-sandbox page_fonts)
 set(scripts ${page}/threads.js ${page}/glyphs.js ${page}/browser.js)
 list(TRANSFORM scripts PREPEND "--js-library=" OUTPUT_VARIABLE libraries)
 target_link_options(shading-sandbox PRIVATE ${libraries} --pre-js=${page}/start.js --embed-file=${fonts}@/usr/share/fonts
-  -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=2GB -sINITIAL_MEMORY=64MB -sSTACK_SIZE=2MB -sENVIRONMENT=web -sFORCE_FILESYSTEM=1
+  -sALLOW_MEMORY_GROWTH=1 -sMAXIMUM_MEMORY=2GB -sINITIAL_MEMORY=64MB -sSTACK_SIZE=2MB -sENVIRONMENT=web -sFORCE_FILESYSTEM=1 -sMALLOC=emmalloc
   -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2
   -sEXPORTED_RUNTIME_METHODS=FS,stringToNewUTF8 -sINCOMING_MODULE_JS_API=instantiateWasm,arguments,print,printErr,preRun,canvas,onAbort)
 set_target_properties(shading-sandbox PROPERTIES LINK_DEPENDS "${scripts};${page}/start.js;${fonts}/DejaVuSans.ttf")
