@@ -13,7 +13,6 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
-#include <numbers>
 
 namespace sandbox::certificate {
 namespace {
@@ -90,6 +89,8 @@ BoundObject bound_object(const Scene &scene, const Technique &technique, const O
     bound.highlight_apart = has_base && !object.material.texture_modulates_specular;
     const glm::dvec3 base = largest_base(object, own);
     const ObjectLights lights = lights_on_object(scene, technique, object);
+    const glm::dvec3 constant = lights.constant_ambient * base + object.material.emission;
+    bound.constant = std::max({constant.x, constant.y, constant.z});
     for (const auto &of_kind : lights.of_kind) {
         for (const ObjectLight &use : of_kind) {
             bound.lights.push_back(
@@ -174,18 +175,10 @@ bool may_lose_half_vector(const BoundObject &object) {
            std::ranges::any_of(object.lights, [](const BoundLight &light) { return light.half == glm::dvec3(0); });
 }
 
-/// The largest light of any channel that comes from no lamp or is the same everywhere.
-double constant_light(const Scene &scene, const Technique &technique, const Object &object,
-                      const ObjectResources &own) {
-    const glm::dvec3 ambient = lights_on_object(scene, technique, object).constant_ambient * largest_base(object, own);
-    const glm::dvec3 sum = ambient + object.material.emission;
-    return std::max({sum.x, sum.y, sum.z});
-}
-
 /// What is proved of an object.
 struct Proof {
     ObjectChoice choice;
-    double bound = 0, rounding = 0;
+    double bound = 0;
 };
 Proof prove(const Scene &scene, const Technique &technique, const Object &object, const ObjectResources &own,
             double tolerance, bool hides_backs) {
@@ -193,7 +186,6 @@ Proof prove(const Scene &scene, const Technique &technique, const Object &object
     const BoundObject bounded = bound_object(scene, technique, object, own);
     const LitVertices lit = lit_vertices(scene, technique, object, mesh);
     const double highlight = highlight_rounding(technique, bounded.exponent);
-    const double constant = constant_light(scene, technique, object, own);
     const bool mirrored = is_mirrored(object.transform);
     const bool unproved = may_lose_half_vector(bounded);
     Proof proof;
@@ -212,12 +204,11 @@ Proof prove(const Scene &scene, const Technique &technique, const Object &object
         ++proof.choice.facing;
         proof.choice.area += area;
         const Bound bound = shading_bound(bounded, triangle, tolerance);
-        const double rounding = 2 * (body_rounding * (bound.body + constant) + highlight * bound.highlight);
+        const double rounding = 2 * (body_rounding * (bound.body + bounded.constant) + highlight * bound.highlight);
         if (const double all = bound.interpolation + rounding; all <= tolerance && !unproved) {
             proof.choice.per_vertex[t] = proved;
             ++proof.choice.lit_per_vertex;
             proof.choice.area_per_vertex += area;
-            proof.rounding = all > proof.bound ? rounding : proof.rounding;
             proof.bound = std::max(proof.bound, all);
         }
     }
@@ -255,7 +246,6 @@ Choice choose(const Scene &scene, const std::vector<ObjectResources> &resources,
             proof.choice.lit_per_vertex = 0;
             proof.choice.area_per_vertex = proof.bound = 0;
         }
-        choice.rounding = proof.bound > choice.bound ? proof.rounding : choice.rounding;
         choice.bound = std::max(choice.bound, proof.bound);
         choice.objects.push_back(std::move(proof.choice));
     }

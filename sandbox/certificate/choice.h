@@ -27,8 +27,7 @@ struct ObjectChoice {
 
 struct Choice {
     std::vector<ObjectChoice> objects;
-    double bound = 0;    ///< the largest of any triangle that is lit per vertex, in linear units, with ...
-    double rounding = 0; ///< ... what of it is there for float32
+    double bound = 0; ///< the largest of any triangle that is lit per vertex, in linear units
     double milliseconds = 0;
     const char *nothing_proved = ""; ///< why all is per pixel, where the technique decides that; else ""
 

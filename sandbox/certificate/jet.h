@@ -58,9 +58,8 @@ inline const Interval &value_of(const Jet &number) { return number.value; }
 using Linear = std::array<glm::dvec3, 3>;
 
 /// The dot product of two of them ...
-/// over the triangle: a polynomial of degree 2, which lies between the smallest and the largest of its Bernstein
-/// coefficients; its first derivatives are linear, between their values at the corners.
-/// or, where `at_centroid`, there alone.
+/// over the triangle, or with `at_centroid` there alone: a polynomial of degree 2, which lies between the smallest and
+/// the largest of its Bernstein coefficients; its first derivatives are linear, between their values at the corners;
 struct OverTriangle {
     using Number = Jet;
     bool at_centroid = false;

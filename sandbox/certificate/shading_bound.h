@@ -33,6 +33,7 @@ constexpr double branch_width = 8 * 0x1p-24;
 struct BoundObject {
     Technique technique;
     std::vector<BoundLight> lights;
+    double constant = 0;            ///< light of any channel that is the same everywhere: no more than this
     double exponent = 0;            ///< of f, as it is raised
     std::optional<glm::dvec3> view; ///< V where it is the same at every point
     bool unit_normals = true;       ///< N is made unit per pixel

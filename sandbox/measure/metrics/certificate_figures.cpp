@@ -1,5 +1,7 @@
 #include "measure/metrics/certificate_figures.h"
 
+#include "certificate/choice.h"
+
 #include <algorithm>
 #include <cmath>
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "certificate/choice.h"
 #include "measure/metrics/quantity.h"
 #include "reference/reference.h"
 
