@@ -4,11 +4,14 @@
 #include "shading/template.h"
 
 #include <algorithm>
+#include <functional>
+#include <vector>
 
 namespace sandbox {
 namespace {
 
-constexpr std::size_t most_programs = 128; // more than a report draws in turns
+constexpr std::size_t most_unused = 24;
+constexpr long late_frames = 8; // two views' and what is drawn over them
 
 } // namespace
 
@@ -39,14 +42,11 @@ void ProgramCache::build(Entry &entry, const Key &key) {
 
 const GlProgram &ProgramCache::get(const Features &features, const UniformValues &constants) {
     const Key key(features, constants);
-    if (entries_.size() >= most_programs && !entries_.contains(key)) {
-        evict_oldest();
-    }
     Entry &entry = entries_[key];
     if (entry.program == nullptr || entry.stale) {
         build(entry, key);
     }
-    entry.last_use = ++uses_;
+    entry.last_frame = frames_;
     return *entry.program;
 }
 
@@ -78,9 +78,26 @@ void ProgramCache::forget_last_good() {
     std::erase_if(entries_, [](const auto &entry) { return entry.second.stale || entry.second.last_good; });
 }
 
-void ProgramCache::evict_oldest() {
-    const auto oldest = std::ranges::min_element(entries_, {}, [](const auto &entry) { return entry.second.last_use; });
-    entries_.erase(oldest);
+void ProgramCache::end_frame() {
+    ++frames_;
+    if (keeping_all_ > 0 || entries_.size() <= most_unused) {
+        return;
+    }
+    std::vector<decltype(entries_)::iterator> unused;
+    for (auto entry = entries_.begin(); entry != entries_.end(); ++entry) {
+        if (entry->second.last_frame < frames_ - late_frames) {
+            unused.push_back(entry);
+        }
+    }
+    std::ranges::sort(unused, std::greater(), [](const auto &entry) { return entry->second.last_frame; });
+    for (std::size_t i = most_unused; i < unused.size(); ++i) {
+        entries_.erase(unused[i]);
+    }
+}
+
+std::shared_ptr<const void> ProgramCache::keep_all() {
+    ++keeping_all_;
+    return {this, [this](const void *) { --keeping_all_; }};
 }
 
 } // namespace sandbox

@@ -12,8 +12,8 @@
 
 namespace sandbox {
 
-/// Programs by the features themselves, built when first needed; the least recently used goes when there are many. A
-/// baked program is one by what is written into it, too.
+/// Programs by the features themselves, built when first needed. A baked program is one by what is written into it,
+/// too.
 class ProgramCache {
   public:
     explicit ProgramCache(const ShaderParts &parts) : parts_(parts) {}
@@ -25,6 +25,11 @@ class ProgramCache {
     [[nodiscard]] bool has(const Features &features, const UniformValues &constants = {}) const;
     /// One constant colour, of NAME_vertex.glsl and NAME_fragment.glsl: wireframe, segment. `deep` as in Features.
     const GlProgram &overlay(const std::string &name, bool deep);
+
+    /// Of programs that no late frame drew, the least recently used go: a driver may keep megabytes for each.
+    void end_frame();
+    /// While what is returned lives, all stay: for frames timed in turns. It must not outlive the cache.
+    [[nodiscard]] std::shared_ptr<const void> keep_all();
 
     /// After the parts changed: each program is built again when next needed, its last good one kept in case.
     void rebuild_all();
@@ -39,18 +44,18 @@ class ProgramCache {
         std::shared_ptr<const GlProgram> program;
         bool stale = false;     ///< the parts have changed since
         bool last_good = false; ///< the present parts do not build
-        long last_use = 0;
+        long last_frame = 0;    ///< that drew it
     };
     using Key = std::pair<Features, UniformValues>;
     void build(Entry &entry, const Key &key);
-    void evict_oldest();
 
     const ShaderParts &parts_;
     std::map<Key, Entry> entries_;
     std::map<std::pair<std::string, bool>, GlProgram> overlays_; ///< by name and `deep`
     std::string error_;
     int built_ = 0;
-    long uses_ = 0;
+    long frames_ = 0;
+    int keeping_all_ = 0; ///< how many ask for it
 };
 
 } // namespace sandbox

@@ -234,6 +234,7 @@ struct Renderer::Impl {
             draw_object(draw_of(scene, part.object, *own.mesh, part.prepared, canvas), own, part.triangles);
         }
         forget_unused();
+        programs.end_frame();
     }
 
     OwnDrawing own_drawing; ///< empty: own shading is drawn as everything else
@@ -415,6 +416,7 @@ bool Renderer::reload_changed_parts() {
 void Renderer::forget_last_good_programs() { impl_->programs.forget_last_good(); }
 const std::string &Renderer::shader_error() const { return impl_->programs.error(); }
 int Renderer::programs_built() const { return impl_->programs.built(); }
+std::shared_ptr<const void> Renderer::keep_programs() { return impl_->programs.keep_all(); }
 Resources &Renderer::resources() {
     if (!impl_->grid_is_known) {
         impl_->grid_is_known = true;

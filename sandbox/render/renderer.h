@@ -32,7 +32,8 @@ class Renderer {
     /// draw_shown() and draw_unguarded() throw std::logic_error for it.
     void draw_own_by(OwnDrawing own);
 
-    /// Clears `target` and draws `scene` as `technique` says. Programs are built when first needed and kept.
+    /// Clears `target` and draws `scene` as `technique` says. Programs are built when first needed, and the last ones
+    /// used are kept.
     /// Throws InputError if the technique is refused for this scene (too many varyings), ShaderError if a program does
     /// not build and no earlier one of the same view can stand in. Does not wait for the picture (see finish()).
     void draw(const Scene &scene, const Technique &technique, Target &target);
@@ -71,6 +72,8 @@ class Renderer {
     [[nodiscard]] const std::string &shader_error() const;
     /// How many programs were built so far (a technique seen before builds none).
     [[nodiscard]] int programs_built() const;
+    /// While what is returned lives, every program is kept: frames timed in turns build none. It must not outlive this.
+    [[nodiscard]] std::shared_ptr<const void> keep_programs();
 
     /// What is loaded knows on which grid this renderer places vertices (ObjectResources::window_grid).
     [[nodiscard]] Resources &resources();

@@ -65,6 +65,51 @@ TEST_F(Programs, ATechniqueSeenBeforeBuildsNothing) {
     EXPECT_EQ(renderer.programs_built(), 2);
 }
 
+/// A driver keeps megabytes for a program: a window that has been through every technique must not hold them all.
+TEST_F(Programs, OfManyProgramsTheLastOnesUsedAreKept) {
+    Renderer renderer(Assets("assets"), ShaderParts(Assets("shaders")));
+    const Scene scene = feature_scenes()[1];
+    Target target({8, 8});
+    const std::vector<Technique> many = pairwise_techniques();
+    const auto built_by = [&](const Technique &technique) {
+        const int before = renderer.programs_built();
+        renderer.draw(scene, technique, target);
+        return renderer.programs_built() - before;
+    };
+    for (const Technique &technique : many) {
+        built_by(technique);
+    }
+    EXPECT_EQ(built_by(many.back()), 0) << "just drawn";
+    EXPECT_EQ(built_by(many.front()), 1) << "long ago";
+    const std::shared_ptr<const void> kept = renderer.keep_programs();
+    for (const Technique &technique : many) {
+        built_by(technique);
+    }
+    int again = 0;
+    for (const Technique &technique : many) {
+        again += built_by(technique);
+    }
+    EXPECT_EQ(again, 0) << "frames timed in turns would hold a compiler's time";
+}
+
+/// However many programs a frame needs, the next one finds them all.
+TEST_F(Programs, WhatAFrameDrewItsNextOneFinds) {
+    Renderer renderer(Assets("assets"), ShaderParts(Assets("shaders")));
+    Scene scene = feature_scenes()[1];
+    const Object object = scene.objects.front();
+    for (int i = 1; i < 60; ++i) { // baked: a program an object
+        scene.objects.push_back(object);
+        scene.objects.back().material.shininess = 10 + i;
+    }
+    Target target({8, 8});
+    const Technique baked = parse_technique("per-pixel/phong:program=baked");
+    renderer.draw(scene, baked, target);
+    const int built = renderer.programs_built();
+    EXPECT_GE(built, 60);
+    renderer.draw(scene, baked, target);
+    EXPECT_EQ(renderer.programs_built(), built);
+}
+
 TEST_F(Programs, AChangedPartIsReloadedAndAnErrorKeepsTheLastGoodProgram) {
     const TemporaryFolder folder;
     const Assets built_in("shaders");

@@ -182,6 +182,7 @@ class Measurement {
     }
 
     void take_turns() {
+        const std::shared_ptr<const void> kept = draw_.keep_programs ? draw_.keep_programs() : nullptr;
         samples_.resize(result_.rows.size());
         const int rounds = result_.options.warm_ups + result_.options.repeats;
         for (int round = 0; round < rounds; ++round) {

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -82,6 +83,8 @@ struct DrawRows {
     std::function<double(const Scene &, const Technique &)> timed;
     /// With a fragment stage declared mediump; empty where the device knows no precision.
     std::function<Image(const Scene &, const Technique &)> mediump{};
+    /// While what it returns lives, timed() builds no program twice; may be empty.
+    std::function<std::shared_ptr<const void>()> keep_programs{};
 };
 
 /// Finds the errors first, once per row; then draws every row once a round, drops `options.warm_ups` rounds and keeps
@@ -101,7 +104,9 @@ DrawRows rows_drawn_by(Renderer &renderer, Target &target, Clock &clock) {
     DrawRows draw{
         [&](const Scene &s) { return renderer.resources().load(s); },
         [&](const Scene &s, const Technique &t) { return renderer.render(s, t, target.size(), true); },
-        [&](const Scene &s, const Technique &t) { return clock.milliseconds([&] { renderer.draw(s, t, target); }); }};
+        [&](const Scene &s, const Technique &t) { return clock.milliseconds([&] { renderer.draw(s, t, target); }); },
+        {},
+        [&] { return renderer.keep_programs(); }};
     if (Renderer::knows_precision()) {
         draw.mediump = [&](const Scene &s, const Technique &t) {
             renderer.draw_mediump(s, t, target);

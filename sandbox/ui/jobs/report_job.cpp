@@ -19,17 +19,18 @@ namespace {
 
 /// Draws the same after others, and tells the job's reporter what.
 DrawRows reported(const DrawRows &draw, const Words &words, DrawingTurn &turn, JobReporter &reporter) {
-    return {draw.load,
-            [&, words](const Scene &s, const Technique &t) {
-                turn.let_others_draw();
-                reporter.say(words.format("job.error_of", title_of(words, t)));
-                return draw.picture(s, t);
-            },
-            [&, words](const Scene &s, const Technique &t) {
-                turn.let_others_draw();
-                reporter.say(words.format("job.time_of", title_of(words, t)));
-                return draw.timed(s, t);
-            }};
+    DrawRows reported = draw;
+    reported.picture = [&, words](const Scene &s, const Technique &t) {
+        turn.let_others_draw();
+        reporter.say(words.format("job.error_of", title_of(words, t)));
+        return draw.picture(s, t);
+    };
+    reported.timed = [&, words](const Scene &s, const Technique &t) {
+        turn.let_others_draw();
+        reporter.say(words.format("job.time_of", title_of(words, t)));
+        return draw.timed(s, t);
+    };
+    return reported;
 }
 
 ReportRun measure(const Scene &scene, bool quick, const DrawnBy &by, const Words &words, DrawingTurn &turn,

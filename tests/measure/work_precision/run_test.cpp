@@ -42,6 +42,8 @@ struct FakeRenderer {
     std::vector<std::string> timed;
     std::map<std::string, int> calls;
     std::string refuses;
+    std::shared_ptr<const int> programs = std::make_shared<const int>();
+    std::set<long> holders; ///< of the programs, in timed frames
 
     DrawRows draw() {
         return {load,
@@ -53,10 +55,21 @@ struct FakeRenderer {
                 },
                 [this](const Scene &scene, const Technique &technique) {
                     timed.push_back(key_of(scene, technique));
+                    holders.insert(programs.use_count());
                     return static_cast<double>(++calls[timed.back()]);
-                }};
+                },
+                {},
+                [this] { return programs; }};
     }
 };
+
+/// A program that had to make room between two turns would be built inside a frame's time.
+TEST(WorkPrecision, EveryProgramStaysWhileFramesAreTimed) {
+    FakeRenderer fake;
+    measure_work_precision(ball_scene(), small_plan(), fake.draw());
+    EXPECT_EQ(fake.holders, std::set<long>{2});
+    EXPECT_EQ(fake.programs.use_count(), 1);
+}
 
 TEST(WorkPrecision, AFewTechniquesAloneAndNoTimes) {
     FakeRenderer fake;
