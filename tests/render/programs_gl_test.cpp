@@ -99,7 +99,7 @@ TEST_F(Programs, WhatAFrameDrewItsNextOneFinds) {
     const Object object = scene.objects.front();
     for (int i = 1; i < 60; ++i) { // baked: a program an object
         scene.objects.push_back(object);
-        scene.objects.back().material.shininess = 10 + i;
+        scene.objects.back().material.shininess = 100 + i;
     }
     Target target({8, 8});
     const Technique baked = parse_technique("per-pixel/phong:program=baked");

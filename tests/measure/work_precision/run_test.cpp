@@ -7,6 +7,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <map>
+#include <memory>
+#include <set>
 
 namespace sandbox {
 namespace {
