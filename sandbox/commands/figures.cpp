@@ -72,7 +72,7 @@ int run_figures(const FiguresFlags &flags, const CommonOptions &common) {
     DrawingSession session(common);
     Renderer &renderer = session.renderer();
     Target target(quick_plan().size);
-    FrameClock clock(Context::software(), [&] { renderer.draw(request.scene, {}, target); });
+    FrameClock clock(Context::software(), target, [&] { renderer.draw(request.scene, {}, target); });
     FigureDraw draw{[&](const Scene &scene) { return renderer.resources().load(scene); },
                     [&](const Scene &scene, const Technique &technique, Size size) {
                         return renderer.render(scene, technique, size, true);

@@ -51,7 +51,7 @@ ReportRun measure(const ReportFlags &flags, const CommonOptions &common, const P
                   const Scene &scene) {
     DrawingSession session(common);
     Target target(options.size);
-    FrameClock clock(Context::software(), [&] { session.renderer().draw(scene, {}, target); });
+    FrameClock clock(Context::software(), target, [&] { session.renderer().draw(scene, {}, target); });
     const DrawRows draw = rows_drawn_by(session.renderer(), target, clock);
     ReportRun run =
         new_report_run(session.context().renderer(), session.context().version(), std::string(clock.name()));

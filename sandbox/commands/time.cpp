@@ -65,7 +65,7 @@ class TimedFrames {
         } else {
             renderer_.draw_shown(scene_, technique_, {}, std::get<ScreenTarget>(target_));
         }
-        Renderer::finish();
+        std::visit([](const auto &target) { target.finish(); }, target_);
         return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
     }
     void print_batch(int frames) {

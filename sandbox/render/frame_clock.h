@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/gl_object.h"
+#include "render/target.h"
 
 #include <functional>
 #include <optional>
@@ -18,8 +19,9 @@ inline constexpr std::string_view gpu_clock = "GPU timer (GL_TIME_ELAPSED), whic
 /// to the wall clock: they put work off until after the timer has stopped.
 class FrameClock {
   public:
-    /// Draws `frame` again and again, for some 50 ms, unless the renderer is `software` (Context::software).
-    FrameClock(bool software, const std::function<void()> &frame);
+    /// Frames are drawn into `target`, which must outlive this. Draws `frame` again and again, for some 50 ms, unless
+    /// the renderer is `software` (Context::software).
+    FrameClock(bool software, const Target &target, const std::function<void()> &frame);
 
     /// Draws `frame` once and waits until it is done; milliseconds.
     double milliseconds(const std::function<void()> &frame);
@@ -27,6 +29,7 @@ class FrameClock {
     [[nodiscard]] std::string_view name() const;
 
   private:
+    const Target &target_;
     std::optional<Query> timer_; ///< none: the wall clock
 };
 

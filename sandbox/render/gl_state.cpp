@@ -40,14 +40,17 @@ bool is_es() { return true; }
 bool is_es() { return GLAD_GL_ES_VERSION_3_0 != 0; }
 #endif
 
-/// A browser's glFinish() waits for nothing, so a pixel is read there.
-void finish_drawing() {
+/// A browser's glFinish() waits for nothing, so a pixel is read there: of this framebuffer, since a driver may put off
+/// the rest.
+void finish_drawing([[maybe_unused]] unsigned framebuffer) {
 #ifdef __EMSCRIPTEN__
-    GLint bound = 0;
-    unsigned char pixel[4];
+    GLint bound = 0, layout = 0, type = 0;
+    float pixel[4]; // the largest there is
     glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &bound);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
-    glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+    glGetIntegerv(GL_IMPLEMENTATION_COLOR_READ_FORMAT, &layout);
+    glGetIntegerv(GL_IMPLEMENTATION_COLOR_READ_TYPE, &type);
+    glReadPixels(0, 0, 1, 1, static_cast<GLenum>(layout), static_cast<GLenum>(type), pixel);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(bound));
 #else
     glFinish();

@@ -23,8 +23,8 @@ class PassState {
 
 /// Whether the current context is OpenGL ES.
 bool is_es();
-/// Waits until all that was drawn is done.
-void finish_drawing();
+/// Waits until all that was drawn into `framebuffer` is done.
+void finish_drawing(unsigned framebuffer);
 /// What OpenGL has reported up to here is nobody's fault.
 void forget_gl_errors();
 bool has_gl_extension(std::string_view name);

@@ -356,8 +356,6 @@ void Renderer::draw_mediump(const Scene &scene, const Technique &technique, Targ
 
 bool Renderer::knows_precision() { return is_es(); }
 
-void Renderer::finish() { finish_drawing(); }
-
 Frame Renderer::render(const Scene &scene, const Technique &technique, Size size, bool object_ids) {
     if (impl_->drawn_elsewhere(technique)) {
         return impl_->own_drawing(scene, technique, size, object_ids);
@@ -369,7 +367,7 @@ Frame Renderer::render(const Scene &scene, const Technique &technique, Size size
     }
     const auto start = std::chrono::steady_clock::now();
     draw(scene, technique, *target);
-    finish();
+    target->finish();
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
     return {target->read_color(), object_ids ? target->read_object_ids() : std::vector<std::uint32_t>{}, time.count()};
 }

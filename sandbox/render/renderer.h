@@ -35,7 +35,8 @@ class Renderer {
     /// Clears `target` and draws `scene` as `technique` says. Programs are built when first needed, and the last ones
     /// used are kept.
     /// Throws InputError if the technique is refused for this scene (too many varyings), ShaderError if a program does
-    /// not build and no earlier one of the same view can stand in. Does not wait for the picture (see finish()).
+    /// not build and no earlier one of the same view can stand in. Does not wait for the picture (see
+    /// Target::finish()).
     void draw(const Scene &scene, const Technique &technique, Target &target);
     /// Likewise, as a screen shows it: the programs map the light themselves.
     void draw_shown(const Scene &scene, const Technique &technique, const DisplayMap &map, ScreenTarget &target);
@@ -51,9 +52,6 @@ class Renderer {
     void draw_mediump(const Scene &scene, const Technique &technique, Target &target);
     /// True under OpenGL ES.
     static bool knows_precision();
-
-    /// Waits until all that was drawn is done (glFinish).
-    static void finish();
 
     /// draw + finish + read back, timed around draw and finish by the wall clock.
     Frame render(const Scene &scene, const Technique &technique, Size size, bool object_ids = false);

@@ -2,6 +2,7 @@
 
 #include "image/image.h"
 #include "render/gl_object.h"
+#include "render/gl_state.h"
 
 #include <cstdint>
 #include <vector>
@@ -29,6 +30,8 @@ class Target {
     /// Reads one pixel's linear colour (x right, y down).
     [[nodiscard]] glm::vec4 read_pixel(int x, int y) const;
     [[nodiscard]] std::vector<std::uint32_t> read_object_ids() const;
+    /// Waits until all that was drawn into it is done.
+    void finish() const { finish_drawing(framebuffer()); }
 
   private:
     template <typename Pixel>
@@ -48,6 +51,7 @@ class DisplayTexture {
     [[nodiscard]] Size size() const { return size_; }
     [[nodiscard]] unsigned texture() const { return color_.id(); }
     [[nodiscard]] unsigned framebuffer() const { return framebuffer_.id(); }
+    void finish() const { finish_drawing(framebuffer()); }
 
   private:
     Size size_;
@@ -63,6 +67,7 @@ class ScreenTarget {
     [[nodiscard]] Size size() const { return color_.size(); }
     [[nodiscard]] unsigned texture() const { return color_.texture(); }
     [[nodiscard]] unsigned framebuffer() const { return color_.framebuffer(); }
+    void finish() const { color_.finish(); }
 
   private:
     DisplayTexture color_;

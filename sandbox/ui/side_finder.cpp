@@ -100,6 +100,7 @@ void SideFinder::start_making(const SlowPicture &picture) {
         if (picture.shown) { // the driver compiles at the first draw into such a target
             ScreenTarget screen(picture.size);
             renderer.draw_shown(picture.scene, picture.technique, *picture.shown, screen);
+            screen.finish();
         } else {
             Target target(picture.size);
             renderer.draw(picture.scene, picture.technique, target);
@@ -109,9 +110,10 @@ void SideFinder::start_making(const SlowPicture &picture) {
             if (picture.difference) {
                 DisplayTexture colors(picture.size);
                 DisplayPass(renderer.parts()).run_difference(target, target, colors, 1);
+                colors.finish();
             }
+            target.finish();
         }
-        Renderer::finish();
     });
     if (!started) {
         made_.reset();

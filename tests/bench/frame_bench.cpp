@@ -47,10 +47,11 @@ void duel(Renderer &renderer, const Scene &scene, const char *technique_text, co
     const Contender ours{technique_text, [&] {
                              if (bytes) {
                                  renderer.draw_shown(scene, technique, {}, screen);
+                                 screen.finish();
                              } else {
                                  renderer.draw(scene, technique, light);
+                                 light.finish();
                              }
-                             Renderer::finish();
                          }};
     const Contender theirs{rival, [&] { opponent.frame(); }};
     const Duel result = take_turns(ours, theirs, turns);

@@ -38,7 +38,7 @@ int main(int argc, char **argv) {
             const auto draw = [&](Program program) {
                 technique.program = program;
                 renderer.draw(scene, technique, target);
-                Renderer::finish();
+                target.finish();
             };
             const Contender full{name + " " + text + " full", [&] { draw(Program::full); }};
             const Contender specialised{"specialised", [&] { draw(Program::specialised); }};

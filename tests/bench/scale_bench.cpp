@@ -63,7 +63,7 @@ Quartiles frame_time(Renderer &renderer, const Scene &scene, const char *techniq
     for (int frame = -2; frame < frames; ++frame) { // the first build and upload
         const double ms = milliseconds([&] {
             renderer.draw_shown(scene, technique, {}, target);
-            Renderer::finish();
+            target.finish();
         });
         if (frame >= 0) {
             times.push_back(ms);
@@ -121,7 +121,7 @@ int main(int argc, char **argv) {
             ScreenTarget target({800, 600});
             openings.push_back(milliseconds([&] {
                 fresh.draw_shown(scene, parse_technique(per_pixel), {}, target);
-                Renderer::finish();
+                target.finish();
             }));
         }
         triangles.row(4.0 * rings * (rings - 1),

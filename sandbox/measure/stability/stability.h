@@ -78,10 +78,10 @@ StabilityResult run_stability_case(const StabilityCase &definition, const Stabil
 /// Draws with render/'s Renderer, which this room cannot name. Costs are taken on `target`, which should have
 /// stability_timed_size, by the wall clock. Both must outlive what is returned.
 template <typename Renderer, typename Target> StabilityDraw cases_drawn_by(Renderer &renderer, Target &target) {
-    const auto timed = [&](const auto &draw) {
+    const auto timed = [&target](const auto &draw) {
         const auto start = std::chrono::steady_clock::now();
         draw();
-        renderer.finish();
+        target.finish();
         return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     };
     return {[&](const Scene &s) { return renderer.resources().load(s); },

@@ -38,7 +38,7 @@ ReportRun measure(const Scene &scene, bool quick, const DrawnBy &by, const Words
     Renderer &renderer = turn.renderer();
     const PlanOptions options = quick ? quick_plan() : PlanOptions{};
     Target target(options.size);
-    FrameClock clock(Context::software(), [&] { renderer.draw(scene, {}, target); });
+    FrameClock clock(Context::software(), target, [&] { renderer.draw(scene, {}, target); });
     const DrawRows draw = rows_drawn_by(renderer, target, clock);
     ReportRun run = new_report_run(by.renderer, by.opengl, std::string(clock.name()));
     run.quick = quick;
@@ -85,7 +85,7 @@ double estimate(const Scene &scene, bool quick, DrawingTurn &turn, JobReporter &
     Renderer &renderer = turn.renderer();
     const PlanOptions options = quick ? quick_plan() : PlanOptions{};
     Target target(options.size);
-    FrameClock clock(Context::software(), [&] { renderer.draw(scene, {}, target); });
+    FrameClock clock(Context::software(), target, [&] { renderer.draw(scene, {}, target); });
     const DrawRows draw = rows_drawn_by(renderer, target, clock);
     const Plan plan = plan_report(scene, options, draw.load);
     const std::size_t meshes = plan.meshes.size();

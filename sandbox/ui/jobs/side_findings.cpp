@@ -67,7 +67,7 @@ class Finder {
     void take_times(Findings &findings) {
         Target target(shown_.size);
         std::array<std::vector<double>, 2> samples;
-        FrameClock clock(Context::software(), [&] { renderer_.draw(scenes_[1], technique(true), target); });
+        FrameClock clock(Context::software(), target, [&] { renderer_.draw(scenes_[1], technique(true), target); });
         const auto end = std::chrono::steady_clock::now() + longest_timing;
         for (int round = -1; round < timed_frames && !stopped() && std::chrono::steady_clock::now() < end; ++round) {
             turn_.let_others_draw();
