@@ -4,14 +4,12 @@
 #include "shading/template.h"
 
 #include <algorithm>
-#include <functional>
-#include <vector>
 
 namespace sandbox {
 namespace {
 
-constexpr std::size_t most_unused = 24;
-constexpr long late_frames = 8; // two views' and what is drawn over them
+constexpr std::size_t most_programs = 32; // unless late frames drew more
+constexpr long late_frames = 8;           // two views' and what is drawn over them
 
 } // namespace
 
@@ -80,18 +78,13 @@ void ProgramCache::forget_last_good() {
 
 void ProgramCache::end_frame() {
     ++frames_;
-    if (keeping_all_ > 0 || entries_.size() <= most_unused) {
-        return;
-    }
-    std::vector<decltype(entries_)::iterator> unused;
-    for (auto entry = entries_.begin(); entry != entries_.end(); ++entry) {
-        if (entry->second.last_frame < frames_ - late_frames) {
-            unused.push_back(entry);
+    while (keeping_all_ == 0 && entries_.size() > most_programs) {
+        const auto oldest =
+            std::ranges::min_element(entries_, {}, [](const auto &entry) { return entry.second.last_frame; });
+        if (oldest->second.last_frame >= frames_ - late_frames) {
+            break;
         }
-    }
-    std::ranges::sort(unused, std::greater(), [](const auto &entry) { return entry->second.last_frame; });
-    for (std::size_t i = most_unused; i < unused.size(); ++i) {
-        entries_.erase(unused[i]);
+        entries_.erase(oldest);
     }
 }
 
