@@ -227,7 +227,7 @@ double Choice::share() const {
 }
 
 Choice choose(const Scene &scene, const std::vector<ObjectResources> &resources, const Technique &given,
-              double tolerance, double aspect) {
+              double aspect) {
     const auto start = std::chrono::steady_clock::now();
     const Technique technique = as_it_shows(given, scene);
     Choice choice;
@@ -239,7 +239,7 @@ Choice choose(const Scene &scene, const std::vector<ObjectResources> &resources,
                                  technique.position == LightingPosition::world;
         Proof proof;
         if (*choice.nothing_proved == '\0') {
-            proof = prove(scene, technique, object, resources[i], tolerance, hides_backs);
+            proof = prove(scene, technique, object, resources[i], given.tolerance, hides_backs);
         }
         if (proof.choice.area_per_vertex <= least_share * proof.choice.area) {
             proof.choice.per_vertex.assign(mesh.triangles.size(), per_pixel);

@@ -39,7 +39,6 @@ constexpr double least_share = 0.25;
 
 /// `given` says how much the pictures may differ (tolerance) and by which equation; its frequency is not looked at.
 /// `aspect`: width / height of the picture, which decides whether back faces can be seen.
-Choice choose(const Scene &scene, const std::vector<ObjectResources> &resources, const Technique &given,
-              double tolerance, double aspect);
+Choice choose(const Scene &scene, const std::vector<ObjectResources> &resources, const Technique &given, double aspect);
 
 } // namespace sandbox::certificate

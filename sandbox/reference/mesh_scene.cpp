@@ -145,8 +145,7 @@ MeshScene prepare_meshes(const Scene &scene, const std::vector<ObjectResources> 
         meshes.raster.push_back(to_pixels(meshes.objects.back(), resources[i].window_grid, scene.camera, size));
     }
     if (technique.frequency == Frequency::automatic) {
-        certificate::Choice choice =
-            certificate::choose(scene, resources, technique, technique.tolerance, aspect_of(size));
+        certificate::Choice choice = certificate::choose(scene, resources, technique, aspect_of(size));
         for (std::size_t i = 0; i < scene.objects.size(); ++i) {
             meshes.objects[i].chosen = std::move(choice.objects[i].per_vertex);
         }

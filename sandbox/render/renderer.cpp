@@ -346,6 +346,16 @@ std::vector<Features> Renderer::missing_programs(const Scene &scene, const Techn
     return missing;
 }
 
+bool Renderer::must_choose(const Scene &scene, const Technique &technique, Size size) {
+    return technique.frequency == Frequency::automatic &&
+           !impl_->splits.know(scene, technique, impl_->resources.load(scene), size);
+}
+
+void Renderer::take_choice(const Scene &scene, const Technique &technique, Size size,
+                           const certificate::Choice &choice) {
+    impl_->splits.take(scene, technique, impl_->resources.load(scene), size, choice);
+}
+
 void Renderer::draw_unguarded(const Scene &scene, const Technique &technique, Target &target) {
     impl_->draw(scene, technique, canvas_of(target), {.guarded = false});
 }

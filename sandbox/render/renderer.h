@@ -1,5 +1,6 @@
 #pragma once
 
+#include "certificate/choice.h"
 #include "image/image.h"
 #include "render/target.h"
 #include "scene/overlays.h"
@@ -44,6 +45,10 @@ class Renderer {
     /// loaded.
     [[nodiscard]] std::vector<Features> missing_programs(const Scene &scene, const Technique &technique, Size size,
                                                          const std::optional<DisplayMap> &map = {});
+    /// Has the frequency `auto` to choose triangles before it can draw this? That takes longer than a frame.
+    [[nodiscard]] bool must_choose(const Scene &scene, const Technique &technique, Size size);
+    /// What certificate::choose() gave elsewhere for this scene, technique and aspect: draw() need not choose.
+    void take_choice(const Scene &scene, const Technique &technique, Size size, const certificate::Choice &choice);
     /// Without the guards that the scene needs (without_guards()): wrong, to measure what they cost.
     void draw_unguarded(const Scene &scene, const Technique &technique, Target &target);
 

@@ -1,7 +1,5 @@
 #include "render/split_meshes.h"
 
-#include "certificate/choice.h"
-
 #include <algorithm>
 
 namespace sandbox {
@@ -27,30 +25,47 @@ SplitMesh split(const Mesh &mesh, const certificate::ObjectChoice &choice) {
     return made;
 }
 
+Technique as_chosen(Technique technique) {
+    technique.program = Program::specialised; // changes no bound
+    return technique;
+}
+
 } // namespace
 
-const std::vector<SplitMesh> &SplitMeshes::of(const Scene &scene, const Technique &technique,
-                                              const std::vector<ObjectResources> &resources, Size size) {
-    const double aspect = aspect_of(size);
-    Technique asked = technique;
-    asked.program = Program::specialised; // changes no bound
-    const auto found = std::ranges::find_if(entries_, [&](const Entry &entry) {
-        return entry.aspect == aspect && entry.technique == asked && entry.scene == scene &&
+std::list<SplitMeshes::Entry>::iterator SplitMeshes::find(const Scene &scene, const Technique &technique,
+                                                          const std::vector<ObjectResources> &resources, Size size) {
+    return std::ranges::find_if(entries_, [&, asked = as_chosen(technique)](const Entry &entry) {
+        return entry.aspect == aspect_of(size) && entry.technique == asked && entry.scene == scene &&
                std::ranges::equal(entry.held, resources, [](const Held &held, const ObjectResources &now) {
                    return held.mesh.lock() == now.mesh && held.texture.lock() == now.texture;
                });
     });
+}
+
+bool SplitMeshes::know(const Scene &scene, const Technique &technique, const std::vector<ObjectResources> &resources,
+                       Size size) {
+    return find(scene, technique, resources, size) != entries_.end();
+}
+
+const std::vector<SplitMesh> &SplitMeshes::of(const Scene &scene, const Technique &technique,
+                                              const std::vector<ObjectResources> &resources, Size size) {
+    const auto found = find(scene, technique, resources, size);
     if (found != entries_.end()) {
         entries_.splice(entries_.end(), entries_, found);
-        return entries_.back().split;
+    } else {
+        take(scene, technique, resources, size, certificate::choose(scene, resources, technique, aspect_of(size)));
     }
+    return entries_.back().split;
+}
+
+void SplitMeshes::take(const Scene &scene, const Technique &technique, const std::vector<ObjectResources> &resources,
+                       Size size, const certificate::Choice &choice) {
     entries_.remove_if([](const Entry &entry) { return std::ranges::any_of(entry.held, &Held::gone); });
     std::list<Entry> made(1);
     Entry &entry = made.front();
     entry.scene = scene;
-    entry.technique = asked;
-    entry.aspect = aspect;
-    const certificate::Choice choice = certificate::choose(scene, resources, asked, asked.tolerance, aspect);
+    entry.technique = as_chosen(technique);
+    entry.aspect = aspect_of(size);
     for (std::size_t i = 0; i < resources.size(); ++i) {
         const Mesh &mesh = *resources[i].mesh;
         entry.held.push_back({resources[i].mesh, resources[i].texture, resources[i].texture != nullptr});
@@ -66,7 +81,6 @@ const std::vector<SplitMesh> &SplitMeshes::of(const Scene &scene, const Techniqu
         triangles -= entries_.front().triangles;
         entries_.pop_front();
     }
-    return entries_.back().split;
 }
 
 } // namespace sandbox

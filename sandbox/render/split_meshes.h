@@ -1,5 +1,6 @@
 #pragma once
 
+#include "certificate/choice.h"
 #include "image/image.h"
 #include "render/mesh_buffers.h"
 #include "scene/resources.h"
@@ -26,9 +27,15 @@ struct SplitMesh {
 /// Those of the scenes that were drawn last: choosing takes longer than a frame.
 class SplitMeshes {
   public:
-    /// One per object. Stays valid until the next call.
+    /// One per object; chosen now where they are not known. Stays valid until the next call.
     const std::vector<SplitMesh> &of(const Scene &scene, const Technique &technique,
                                      const std::vector<ObjectResources> &resources, Size size);
+    /// Would of() return at once?
+    [[nodiscard]] bool know(const Scene &scene, const Technique &technique,
+                            const std::vector<ObjectResources> &resources, Size size);
+    /// What certificate::choose() gave for the same.
+    void take(const Scene &scene, const Technique &technique, const std::vector<ObjectResources> &resources, Size size,
+              const certificate::Choice &choice);
 
   private:
     struct Held {
@@ -45,6 +52,8 @@ class SplitMeshes {
         std::vector<SplitMesh> split;
         std::size_t triangles = 0;
     };
+    std::list<Entry>::iterator find(const Scene &scene, const Technique &technique,
+                                    const std::vector<ObjectResources> &resources, Size size);
     std::list<Entry> entries_; ///< the last one asked for last
 };
 

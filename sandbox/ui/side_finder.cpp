@@ -14,7 +14,7 @@ namespace sandbox {
 namespace {
 
 /// A picture that comes finished. Whatever else fails aside fails again where the window draws it, and is said there.
-FinishedPicture finished_picture(const SlowPicture &picture, Renderer &renderer) {
+MadePicture finished_picture(const SlowPicture &picture, Renderer &renderer) {
     try {
         if (!picture.textbook) {
             return {renderer.render(picture.scene, picture.technique, picture.size).color, ""};
@@ -95,6 +95,11 @@ void SideFinder::start_making(const SlowPicture &picture) {
         Renderer &renderer = turn.renderer();
         if (picture.finished()) {
             made_picture_ = finished_picture(picture, renderer);
+            return;
+        }
+        if (picture.choice) {
+            made_picture_.choice = certificate::choose(picture.scene, renderer.resources().load(picture.scene),
+                                                       picture.technique, aspect_of(picture.size));
             return;
         }
         if (picture.shown) { // the driver compiles at the first draw into such a target

@@ -43,7 +43,7 @@ class SideFinder {
     std::optional<SidesShown> judged_, timed_;
     std::optional<ViewKeys> smoothed_;
     std::shared_ptr<const ShownStep> ahead_of_; ///< the step whose next one has been made ahead
-    FinishedPicture made_picture_;              ///< the job's, until it has ended
+    MadePicture made_picture_;                  ///< the job's, until it has ended
     std::mutex mutex_;
     std::shared_ptr<const Findings> found_;        ///< guarded by mutex_; of judged_
     std::shared_ptr<const SmoothPictures> smooth_; ///< guarded by mutex_; of smoothed_

@@ -93,10 +93,11 @@ TEST(RandomCertificates, AreNeverBroken) {
     double slowest = 0;
     for (const unsigned seed : seeds()) {
         const Scene scene = random_scene(seed);
-        const Technique technique = bounded_technique(seed);
+        Technique technique = bounded_technique(seed);
         const double tolerance = seed % 5 == 0 ? 0.02 : 1.0 / 255;
+        technique.tolerance = tolerance;
         const auto loaded = resources.load(scene);
-        const certificate::Choice choice = certificate::choose(scene, loaded, technique, tolerance, 1);
+        const certificate::Choice choice = certificate::choose(scene, loaded, technique, 1);
         const reference::MeshScene meshes = reference::prepare_meshes(scene, loaded, technique, {64, 64});
         double worst = 0;
         for (std::size_t i = 0; i < meshes.objects.size(); ++i) {
@@ -148,7 +149,7 @@ TEST(Certificate, ALostHalfVectorProvesNothing) {
     Resources resources(Assets("assets"));
     const auto loaded = resources.load(scene);
     const Technique technique = parse_technique("per-pixel/blinn-phong:gate=none,half_vector=constant");
-    EXPECT_EQ(certificate::choose(scene, loaded, technique, 1.0 / 255, 1).objects[0].lit_per_vertex, 0U);
+    EXPECT_EQ(certificate::choose(scene, loaded, technique, 1).objects[0].lit_per_vertex, 0U);
 }
 
 /// What float32 leaves of light so bright is more than the tolerance, wherever it comes from.
@@ -157,7 +158,7 @@ TEST(Certificate, BrightLightThatIsConstantProvesNothing) {
     scene.objects = {{"ball", SphereShape{1, 32, 64}, {}, {}, false}};
     Resources resources(Assets("assets"));
     const auto lit = [&] {
-        return certificate::choose(scene, resources.load(scene), parse_technique("per-pixel/lambert"), 1.0 / 255, 1)
+        return certificate::choose(scene, resources.load(scene), parse_technique("per-pixel/lambert"), 1)
             .objects[0]
             .lit_per_vertex;
     };

@@ -56,6 +56,21 @@ TEST_F(AutomaticGl, ShowsTheSameSurfacesAsPerPixel) {
     EXPECT_GT(cheap, 10000U) << "or nothing was lit per vertex";
 }
 
+/// A window chooses aside: the picture of a choice that was brought is that of one's own.
+TEST_F(AutomaticGl, DrawsByAChoiceMadeElsewhere) {
+    const Scene scene = scene_named("vase");
+    const Technique automatic = technique_of(Frequency::automatic, Model::blinn_phong);
+    const Image own = renderer_.render(scene, automatic, size_).color;
+    Renderer other(Assets("assets"), ShaderParts(Assets("shaders")));
+    EXPECT_TRUE(other.must_choose(scene, automatic, size_));
+    EXPECT_FALSE(other.must_choose(scene, technique_of(Frequency::per_pixel, Model::blinn_phong), size_));
+    other.take_choice(scene, automatic, size_,
+                      certificate::choose(scene, renderer_.resources().load(scene), automatic, aspect_of(size_)));
+    EXPECT_FALSE(other.must_choose(scene, automatic, size_));
+    EXPECT_TRUE(other.must_choose(scene, automatic, {size_.height, size_.width})) << "another aspect";
+    EXPECT_EQ(other.render(scene, automatic, size_).color.pixels == own.pixels, true);
+}
+
 /// Stripes lie where vertices are lit, and nowhere under another frequency.
 TEST_F(AutomaticGl, StripesLieOnWhatIsLitPerVertex) {
     const Scene scene = scene_named("vase");

@@ -10,8 +10,7 @@ namespace sandbox {
 CertificateFigures certificate_figures(const Scene &scene, const std::vector<ObjectResources> &resources,
                                        const Technique &technique, const ReferenceFrame &drawn,
                                        const ReferenceFrame &per_pixel) {
-    const certificate::Choice choice =
-        certificate::choose(scene, resources, technique, technique.tolerance, aspect_of(drawn.size));
+    const certificate::Choice choice = certificate::choose(scene, resources, technique, aspect_of(drawn.size));
     CertificateFigures figures{.tolerance = technique.tolerance,
                                .bound = choice.bound,
                                .share = choice.share(),

@@ -37,8 +37,14 @@ ViewPainter::ViewPainter(const Assets &assets, const Assets &shaders)
 /// Nothing where it can be drawn at once, or fails at once.
 std::optional<SlowPicture> ViewPainter::slow_picture(const Side &side, const ViewKey &key,
                                                      const std::optional<DisplayMap> &shown) {
-    SlowPicture slow{&side == &sides_[1], key.textbook, key.scene, key.technique, key.size, shown, {},
-                     key.overlays,        false};
+    SlowPicture slow{.right = &side == &sides_[1],
+                     .textbook = key.textbook,
+                     .scene = key.scene,
+                     .technique = key.technique,
+                     .size = key.size,
+                     .shown = shown,
+                     .programs = {},
+                     .overlays = key.overlays};
     if (key.finished()) {
         ViewKey alone = key;
         alone.overlays = {};
@@ -48,6 +54,10 @@ std::optional<SlowPicture> ViewPainter::slow_picture(const Side &side, const Vie
         return std::nullopt; // the first picture comes as soon as it can
     }
     try {
+        slow.choice = !moving_ && renderer_.must_choose(key.scene, key.technique, key.size);
+        if (slow.choice) {
+            return slow;
+        }
         slow.programs = renderer_.missing_programs(key.scene, key.technique, key.size, shown);
     } catch (const std::exception &) {
         return std::nullopt;
@@ -81,16 +91,19 @@ const SlowPicture *ViewPainter::awaited() const {
     return nullptr;
 }
 
-void ViewPainter::made_aside(const SlowPicture &picture, FinishedPicture finished) {
+void ViewPainter::made_aside(const SlowPicture &picture, MadePicture made) {
     built_aside_.insert(picture.programs.begin(), picture.programs.end());
     Side &side = sides_[picture.right ? 1 : 0];
     side.awaited.reset();
+    if (made.choice) {
+        renderer_.take_choice(picture.scene, picture.technique, picture.size, *made.choice);
+    }
     if (!picture.finished()) {
         return;
     }
     const ViewKey key{picture.scene, picture.technique, picture.size, picture.textbook, {}, reloads_};
-    if (finished.failure.empty()) {
-        side.finished = {key, "", key, std::move(finished.image)};
+    if (made.failure.empty()) {
+        side.finished = {key, "", key, std::move(made.image)};
     } else { // the last good one stays
         side.finished = side.finished ? side.finished : std::optional(Side::Finished{key, "", key, {}});
         side.finished->asked = key;
@@ -323,6 +336,7 @@ SidesShown ViewPainter::sides_shown(const Document &document) const {
 }
 
 void ViewPainter::paint(const Session &session, Size each, bool moving) {
+    moving_ = moving;
     const Document document = shown_document(session);
     const ViewSettings &view = session.view;
     const DisplayMap display{document.display, document.exposure};

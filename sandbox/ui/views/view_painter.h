@@ -1,5 +1,6 @@
 #pragma once
 
+#include "certificate/choice.h"
 #include "render/display_pass.h"
 #include "render/own_process.h"
 #include "render/renderer.h"
@@ -30,7 +31,8 @@ inline bool comes_finished(bool textbook, const Technique &technique) {
     return textbook || technique.model == Model::own;
 }
 
-/// A side's picture that would keep the window waiting: a program must be built first, or it comes finished.
+/// A side's picture that would keep the window waiting: triangles must be chosen or a program be built first, or it
+/// comes finished.
 struct SlowPicture {
     bool right = false, textbook = false;
     Scene scene;
@@ -38,15 +40,18 @@ struct SlowPicture {
     Size size;
     std::optional<DisplayMap> shown; ///< drawn as a screen shows it; none: as linear light
     std::vector<Features> programs;  ///< those that are missing
+    bool choice = false;             ///< ... once the triangles of `auto` are chosen
     Overlays overlays{};             ///< on surfaces, of linear light
     bool difference = false;         ///< ... in a difference
     [[nodiscard]] bool finished() const { return comes_finished(textbook, technique); }
 };
 
-/// One that comes finished, or why there is none.
-struct FinishedPicture {
+/// What was made aside of one: the picture, if it comes finished, or why there is none; the triangles, if they are
+/// asked for.
+struct MadePicture {
     Image image;
     std::string failure;
+    std::optional<certificate::Choice> choice{};
 };
 
 /// All that a side's float picture depends on.
@@ -85,8 +90,8 @@ class ViewPainter {
     void wait_for_no_program() { waits_ = false; }
     /// What paint() waits for; null: nothing.
     [[nodiscard]] const SlowPicture *awaited() const;
-    /// It has been made aside: its programs are in the driver's cache now; `finished` is one that comes so.
-    void made_aside(const SlowPicture &picture, FinishedPicture finished);
+    /// It has been made aside: its programs are in the driver's cache now.
+    void made_aside(const SlowPicture &picture, MadePicture made);
 
     [[nodiscard]] const PaintedView &view(bool right) const { return sides_[right ? 1 : 0].shown; }
     /// All that findings about what is shown depend on, the views being of the size that they were last painted in.
@@ -192,6 +197,7 @@ class ViewPainter {
     double largest_difference_ = 0;
     int reloads_ = 0;
     std::set<Features> built_aside_;
+    bool moving_ = false; ///< what is painted
     bool waits_ = true;
     unsigned long changes_ = 0;
 };
