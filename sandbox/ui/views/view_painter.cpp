@@ -107,7 +107,7 @@ void ViewPainter::made_aside(const SlowPicture &picture, MadePicture made) {
     } else { // the last good one stays
         side.finished = side.finished ? side.finished : std::optional(Side::Finished{key, "", key, {}});
         side.finished->asked = key;
-        side.finished->failure = std::move(finished.failure);
+        side.finished->failure = std::move(made.failure);
     }
 }
 
