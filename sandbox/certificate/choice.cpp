@@ -1,6 +1,7 @@
 #include "certificate/choice.h"
 
 #include "certificate/shading_bound.h"
+#include "image/thread.h"
 #include "scene/light_kind.h"
 #include "scene/space.h"
 #include "shading/eye_space.h"
@@ -191,6 +192,9 @@ Proof prove(const Scene &scene, const Technique &technique, const Object &object
     Proof proof;
     proof.choice.per_vertex.assign(mesh.triangles.size(), per_pixel);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        if (t % 128 == 0) {
+            let_others_run();
+        }
         const glm::uvec3 &corner = mesh.triangles[t];
         const auto of = [&](const std::vector<glm::dvec3> &values) {
             return Linear{values[corner.x], values[corner.y], values[corner.z]};
@@ -239,7 +243,7 @@ Choice choose(const Scene &scene, const std::vector<ObjectResources> &resources,
                                  technique.position == LightingPosition::world;
         Proof proof;
         if (*choice.nothing_proved == '\0') {
-            proof = prove(scene, technique, object, resources[i], given.tolerance, hides_backs);
+            proof = prove(scene, technique, object, resources[i], technique.tolerance, hides_backs);
         }
         if (proof.choice.area_per_vertex <= least_share * proof.choice.area) {
             proof.choice.per_vertex.assign(mesh.triangles.size(), per_pixel);

@@ -9,7 +9,7 @@ namespace sandbox {
 namespace {
 
 constexpr std::size_t most_programs = 32; // unless late frames drew more
-constexpr long late_frames = 8;           // two views' and what is drawn over them
+constexpr long late_frames = 8;           // of two views, with what else is drawn for them
 
 } // namespace
 
@@ -79,9 +79,10 @@ void ProgramCache::forget_last_good() {
 void ProgramCache::end_frame() {
     ++frames_;
     while (keeping_all_ == 0 && entries_.size() > most_programs) {
-        const auto oldest =
-            std::ranges::min_element(entries_, {}, [](const auto &entry) { return entry.second.last_frame; });
-        if (oldest->second.last_frame >= frames_ - late_frames) {
+        const auto oldest = std::ranges::min_element(entries_, {}, [](const auto &entry) {
+            return std::pair(entry.second.last_good, entry.second.last_frame); // nothing builds a last good one again
+        });
+        if (oldest->second.last_good || oldest->second.last_frame >= frames_ - late_frames) {
             break;
         }
         entries_.erase(oldest);

@@ -346,14 +346,17 @@ std::vector<Features> Renderer::missing_programs(const Scene &scene, const Techn
     return missing;
 }
 
-bool Renderer::must_choose(const Scene &scene, const Technique &technique, Size size) {
-    return technique.frequency == Frequency::automatic &&
-           !impl_->splits.know(scene, technique, impl_->resources.load(scene), size);
+std::vector<ObjectResources> Renderer::unchosen(const Scene &scene, const Technique &technique, Size size) {
+    if (technique.frequency != Frequency::automatic) {
+        return {};
+    }
+    std::vector<ObjectResources> objects = impl_->resources.load(scene);
+    return impl_->splits.know(scene, technique, objects, size) ? std::vector<ObjectResources>{} : objects;
 }
 
 void Renderer::take_choice(const Scene &scene, const Technique &technique, Size size,
-                           const certificate::Choice &choice) {
-    impl_->splits.take(scene, technique, impl_->resources.load(scene), size, choice);
+                           const std::vector<ObjectResources> &objects, const certificate::Choice &choice) {
+    impl_->splits.take(scene, technique, objects, size, choice);
 }
 
 void Renderer::draw_unguarded(const Scene &scene, const Technique &technique, Target &target) {

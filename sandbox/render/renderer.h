@@ -45,10 +45,12 @@ class Renderer {
     /// loaded.
     [[nodiscard]] std::vector<Features> missing_programs(const Scene &scene, const Technique &technique, Size size,
                                                          const std::optional<DisplayMap> &map = {});
-    /// Has the frequency `auto` to choose triangles before it can draw this? That takes longer than a frame.
-    [[nodiscard]] bool must_choose(const Scene &scene, const Technique &technique, Size size);
-    /// What certificate::choose() gave elsewhere for this scene, technique and aspect: draw() need not choose.
-    void take_choice(const Scene &scene, const Technique &technique, Size size, const certificate::Choice &choice);
+    /// The objects whose triangles the frequency `auto` must choose before it can draw this, which takes longer than a
+    /// frame; empty: none. Throws InputError for what cannot be loaded.
+    [[nodiscard]] std::vector<ObjectResources> unchosen(const Scene &scene, const Technique &technique, Size size);
+    /// What certificate::choose() gave elsewhere for what unchosen() returned: draw() need not choose.
+    void take_choice(const Scene &scene, const Technique &technique, Size size,
+                     const std::vector<ObjectResources> &objects, const certificate::Choice &choice);
     /// Without the guards that the scene needs (without_guards()): wrong, to measure what they cost.
     void draw_unguarded(const Scene &scene, const Technique &technique, Target &target);
 
@@ -73,7 +75,7 @@ class Renderer {
     void forget_last_good_programs();
     /// The last program's build error ("reflection_phong.glsl:31: ..."), empty when all is well.
     [[nodiscard]] const std::string &shader_error() const;
-    /// How many programs were built so far (a technique seen before builds none).
+    /// How many programs were built so far (a technique seen lately builds none).
     [[nodiscard]] int programs_built() const;
     /// While what is returned lives, every program is kept: frames timed in turns build none. It must not outlive this.
     [[nodiscard]] std::shared_ptr<const void> keep_programs();

@@ -32,8 +32,9 @@ Technique as_chosen(Technique technique) {
 
 } // namespace
 
-std::list<SplitMeshes::Entry>::iterator SplitMeshes::find(const Scene &scene, const Technique &technique,
-                                                          const std::vector<ObjectResources> &resources, Size size) {
+std::list<SplitMeshes::Entry>::const_iterator SplitMeshes::find(const Scene &scene, const Technique &technique,
+                                                                const std::vector<ObjectResources> &resources,
+                                                                Size size) const {
     return std::ranges::find_if(entries_, [&, asked = as_chosen(technique)](const Entry &entry) {
         return entry.aspect == aspect_of(size) && entry.technique == asked && entry.scene == scene &&
                std::ranges::equal(entry.held, resources, [](const Held &held, const ObjectResources &now) {
@@ -43,7 +44,7 @@ std::list<SplitMeshes::Entry>::iterator SplitMeshes::find(const Scene &scene, co
 }
 
 bool SplitMeshes::know(const Scene &scene, const Technique &technique, const std::vector<ObjectResources> &resources,
-                       Size size) {
+                       Size size) const {
     return find(scene, technique, resources, size) != entries_.end();
 }
 

@@ -32,7 +32,7 @@ class SplitMeshes {
                                      const std::vector<ObjectResources> &resources, Size size);
     /// Would of() return at once?
     [[nodiscard]] bool know(const Scene &scene, const Technique &technique,
-                            const std::vector<ObjectResources> &resources, Size size);
+                            const std::vector<ObjectResources> &resources, Size size) const;
     /// What certificate::choose() gave for the same.
     void take(const Scene &scene, const Technique &technique, const std::vector<ObjectResources> &resources, Size size,
               const certificate::Choice &choice);
@@ -52,8 +52,8 @@ class SplitMeshes {
         std::vector<SplitMesh> split;
         std::size_t triangles = 0;
     };
-    std::list<Entry>::iterator find(const Scene &scene, const Technique &technique,
-                                    const std::vector<ObjectResources> &resources, Size size);
+    [[nodiscard]] std::list<Entry>::const_iterator find(const Scene &scene, const Technique &technique,
+                                                        const std::vector<ObjectResources> &resources, Size size) const;
     std::list<Entry> entries_; ///< the last one asked for last
 };
 

@@ -97,9 +97,9 @@ void SideFinder::start_making(const SlowPicture &picture) {
             made_picture_ = finished_picture(picture, renderer);
             return;
         }
-        if (picture.choice) {
-            made_picture_.choice = certificate::choose(picture.scene, renderer.resources().load(picture.scene),
-                                                       picture.technique, aspect_of(picture.size));
+        if (!picture.unchosen.empty()) {
+            made_picture_.choice =
+                certificate::choose(picture.scene, picture.unchosen, picture.technique, aspect_of(picture.size));
             return;
         }
         if (picture.shown) { // the driver compiles at the first draw into such a target

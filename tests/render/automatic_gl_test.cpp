@@ -62,12 +62,13 @@ TEST_F(AutomaticGl, DrawsByAChoiceMadeElsewhere) {
     const Technique automatic = technique_of(Frequency::automatic, Model::blinn_phong);
     const Image own = renderer_.render(scene, automatic, size_).color;
     Renderer other(Assets("assets"), ShaderParts(Assets("shaders")));
-    EXPECT_TRUE(other.must_choose(scene, automatic, size_));
-    EXPECT_FALSE(other.must_choose(scene, technique_of(Frequency::per_pixel, Model::blinn_phong), size_));
-    other.take_choice(scene, automatic, size_,
-                      certificate::choose(scene, renderer_.resources().load(scene), automatic, aspect_of(size_)));
-    EXPECT_FALSE(other.must_choose(scene, automatic, size_));
-    EXPECT_TRUE(other.must_choose(scene, automatic, {size_.height, size_.width})) << "another aspect";
+    const std::vector<ObjectResources> objects = other.unchosen(scene, automatic, size_);
+    ASSERT_EQ(objects.size(), scene.objects.size());
+    EXPECT_TRUE(other.unchosen(scene, technique_of(Frequency::per_pixel, Model::blinn_phong), size_).empty());
+    other.take_choice(scene, automatic, size_, objects,
+                      certificate::choose(scene, objects, automatic, aspect_of(size_)));
+    EXPECT_TRUE(other.unchosen(scene, automatic, size_).empty());
+    EXPECT_FALSE(other.unchosen(scene, automatic, {size_.height, size_.width}).empty()) << "another aspect";
     EXPECT_EQ(other.render(scene, automatic, size_).color.pixels == own.pixels, true);
 }
 

@@ -53,6 +53,7 @@ class Measurement {
 
     /// Throws Cancelled.
     void run() {
+        const std::shared_ptr<const void> kept = draw_.keep_programs ? draw_.keep_programs() : nullptr;
         find_truths();
         for (std::size_t i = 0; i < result_.rows.size(); ++i) {
             report(errors_share * static_cast<double>(i) / static_cast<double>(result_.rows.size()));
@@ -182,7 +183,6 @@ class Measurement {
     }
 
     void take_turns() {
-        const std::shared_ptr<const void> kept = draw_.keep_programs ? draw_.keep_programs() : nullptr;
         samples_.resize(result_.rows.size());
         const int rounds = result_.options.warm_ups + result_.options.repeats;
         for (int round = 0; round < rounds; ++round) {

@@ -83,7 +83,7 @@ struct DrawRows {
     std::function<double(const Scene &, const Technique &)> timed;
     /// With a fragment stage declared mediump; empty where the device knows no precision.
     std::function<Image(const Scene &, const Technique &)> mediump{};
-    /// While what it returns lives, timed() builds no program twice; may be empty.
+    /// While what it returns lives, no program is built twice; may be empty.
     std::function<std::shared_ptr<const void>()> keep_programs{};
 };
 

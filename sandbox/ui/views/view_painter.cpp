@@ -36,7 +36,7 @@ ViewPainter::ViewPainter(const Assets &assets, const Assets &shaders)
 
 /// Nothing where it can be drawn at once, or fails at once.
 std::optional<SlowPicture> ViewPainter::slow_picture(const Side &side, const ViewKey &key,
-                                                     const std::optional<DisplayMap> &shown) {
+                                                     const std::optional<DisplayMap> &shown, bool moving) {
     SlowPicture slow{.right = &side == &sides_[1],
                      .textbook = key.textbook,
                      .scene = key.scene,
@@ -54,8 +54,10 @@ std::optional<SlowPicture> ViewPainter::slow_picture(const Side &side, const Vie
         return std::nullopt; // the first picture comes as soon as it can
     }
     try {
-        slow.choice = !moving_ && renderer_.must_choose(key.scene, key.technique, key.size);
-        if (slow.choice) {
+        if (!moving) {
+            slow.unchosen = renderer_.unchosen(key.scene, key.technique, key.size);
+        }
+        if (!slow.unchosen.empty()) {
             return slow;
         }
         slow.programs = renderer_.missing_programs(key.scene, key.technique, key.size, shown);
@@ -69,13 +71,16 @@ std::optional<SlowPicture> ViewPainter::slow_picture(const Side &side, const Vie
 std::optional<SlowPicture> ViewPainter::slow_ahead(const Session &session, bool right) {
     const Side &side = sides_[right ? 1 : 0];
     const Document next = next_document(session);
+    if ((right ? next.right : next.left).frequency == Frequency::automatic) {
+        return std::nullopt; // a choice is dropped with the meshes that it was made of
+    }
     const ViewSettings view = next_view(session);
     const Scene scene = with_mesh_factor(scene_in_view(next, side.shown.size), next.mesh_factors[right ? 1 : 0]);
     const Overlays overlays = on_surfaces(view.drawn_over, view.layout);
     const ViewKey key{
         scene, as_drawn(right ? next.right : next.left, false, overlays), side.shown.size, false, overlays, reloads_};
     const DisplayMap display{next.display, next.exposure};
-    auto slow = slow_picture(side, key, reads_light(view) ? std::nullopt : std::optional(display));
+    auto slow = slow_picture(side, key, reads_light(view) ? std::nullopt : std::optional(display), false);
     if (slow) {
         slow->difference = view.layout == Layout::difference;
     }
@@ -96,7 +101,9 @@ void ViewPainter::made_aside(const SlowPicture &picture, MadePicture made) {
     Side &side = sides_[picture.right ? 1 : 0];
     side.awaited.reset();
     if (made.choice) {
-        renderer_.take_choice(picture.scene, picture.technique, picture.size, *made.choice);
+        renderer_.take_choice(picture.scene, picture.technique, picture.size, picture.unchosen, *made.choice);
+    } else if (!picture.unchosen.empty()) { // or it would be asked for again and again
+        wait_for_no_program();
     }
     if (!picture.finished()) {
         return;
@@ -158,21 +165,26 @@ unsigned ViewPainter::display_side(Side &side, const DisplayMap &display) {
     return display_pass_.run(*side.target, *side.display, display);
 }
 
-bool ViewPainter::paint_side(Side &side, const ViewKey &wanted, const DisplayMap &display, bool light) {
+bool ViewPainter::paint_side(Side &side, const ViewKey &wanted, const DisplayMap &display, bool light, bool moving) {
     const auto is_drawn = [&](const ViewKey &key) {
         return side.drawn == key && side.light == light && (light || side.displayed == display);
     };
-    side.awaited =
-        is_drawn(wanted) ? std::nullopt : slow_picture(side, wanted, light ? std::nullopt : std::optional(display));
+    const auto slow = [&](const ViewKey &key) {
+        return slow_picture(side, key, light ? std::nullopt : std::optional(display), moving);
+    };
+    side.awaited = is_drawn(wanted) ? std::nullopt : slow(wanted);
+    ViewKey stand_in = wanted; // while triangles are chosen
+    stand_in.technique = as_drawn(wanted.technique, true, wanted.overlays);
+    const bool stands_in = side.awaited && !side.awaited->unchosen.empty() && (is_drawn(stand_in) || !slow(stand_in));
     // The last finished picture is shown while the next one is made, so that it follows what is dragged, and where the
     // next one failed.
     const bool failed = !side.awaited && wanted.finished() && side.finished && !side.finished->failure.empty();
     const bool behind = (side.awaited || failed) && wanted.finished() && side.finished &&
                         !side.finished->image.pixels.empty() && side.drawn && side.drawn->finished();
-    if (side.awaited && !behind) {
+    if (side.awaited && !behind && !stands_in) {
         return false;
     }
-    ViewKey key = behind ? side.finished->of : wanted;
+    ViewKey key = behind ? side.finished->of : stands_in ? stand_in : wanted;
     key.overlays = wanted.overlays;
     const bool redraw = !is_drawn(key);
     if (behind) {
@@ -256,7 +268,8 @@ void ViewPainter::paint_smooth(bool right, const DisplayMap &display) {
 void ViewPainter::paint_masks(bool right, bool wanted, const DisplayMap &display) {
     std::unique_ptr<Masks> &masks = masks_[right ? 1 : 0];
     const Side &side = sides_[right ? 1 : 0];
-    if (!wanted || !findings_ || findings_->sides[right ? 1 : 0].uses.empty() || !side.has_light()) {
+    if (!wanted || !findings_ || findings_->sides[right ? 1 : 0].uses.empty() || !side.has_light() ||
+        side.drawn->size != findings_->of.size) {
         masks.reset();
         return;
     }
@@ -336,7 +349,6 @@ SidesShown ViewPainter::sides_shown(const Document &document) const {
 }
 
 void ViewPainter::paint(const Session &session, Size each, bool moving) {
-    moving_ = moving;
     const Document document = shown_document(session);
     const ViewSettings &view = session.view;
     const DisplayMap display{document.display, document.exposure};
@@ -352,7 +364,7 @@ void ViewPainter::paint(const Session &session, Size each, bool moving) {
                           textbook,
                           overlays,
                           reloads_};
-        changed |= paint_side(sides_[right ? 1 : 0], key, display, key.finished() || reads_light(view));
+        changed |= paint_side(sides_[right ? 1 : 0], key, display, key.finished() || reads_light(view), moving);
     }
     if (samples_shown(session) == 1) {
         smooth_.reset();

@@ -38,11 +38,11 @@ struct SlowPicture {
     Scene scene;
     Technique technique;
     Size size;
-    std::optional<DisplayMap> shown; ///< drawn as a screen shows it; none: as linear light
-    std::vector<Features> programs;  ///< those that are missing
-    bool choice = false;             ///< ... once the triangles of `auto` are chosen
-    Overlays overlays{};             ///< on surfaces, of linear light
-    bool difference = false;         ///< ... in a difference
+    std::optional<DisplayMap> shown;       ///< drawn as a screen shows it; none: as linear light
+    std::vector<Features> programs;        ///< those that are missing
+    std::vector<ObjectResources> unchosen; ///< ... once the triangles of `auto` are chosen
+    Overlays overlays{};                   ///< on surfaces, of linear light
+    bool difference = false;               ///< ... in a difference
     [[nodiscard]] bool finished() const { return comes_finished(textbook, technique); }
 };
 
@@ -86,11 +86,11 @@ class ViewPainter {
     /// drawn at once.
     [[nodiscard]] std::optional<SlowPicture> slow_ahead(const Session &session, bool right);
 
-    /// There is nobody to make pictures aside: programs are built where they are drawn with.
+    /// There is nobody to make pictures aside: the window waits for programs and choices.
     void wait_for_no_program() { waits_ = false; }
     /// What paint() waits for; null: nothing.
     [[nodiscard]] const SlowPicture *awaited() const;
-    /// It has been made aside: its programs are in the driver's cache now.
+    /// It has been made aside, as far as that could be: its programs are in the driver's cache now.
     void made_aside(const SlowPicture &picture, MadePicture made);
 
     [[nodiscard]] const PaintedView &view(bool right) const { return sides_[right ? 1 : 0].shown; }
@@ -168,9 +168,9 @@ class ViewPainter {
         DisplayTexture texture;
     };
 
-    bool paint_side(Side &side, const ViewKey &wanted, const DisplayMap &display, bool light);
+    bool paint_side(Side &side, const ViewKey &wanted, const DisplayMap &display, bool light, bool moving);
     [[nodiscard]] std::optional<SlowPicture> slow_picture(const Side &side, const ViewKey &key,
-                                                          const std::optional<DisplayMap> &shown);
+                                                          const std::optional<DisplayMap> &shown, bool moving);
     void draw_light(Side &side, const ViewKey &key, const DisplayMap &display);
     void draw_shown(Side &side, const ViewKey &key, const DisplayMap &display);
     [[nodiscard]] bool reads_light(const ViewSettings &view) const;
@@ -197,7 +197,6 @@ class ViewPainter {
     double largest_difference_ = 0;
     int reloads_ = 0;
     std::set<Features> built_aside_;
-    bool moving_ = false; ///< what is painted
     bool waits_ = true;
     unsigned long changes_ = 0;
 };
