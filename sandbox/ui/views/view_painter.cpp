@@ -43,7 +43,6 @@ std::optional<SlowPicture> ViewPainter::slow_picture(const Side &side, const Vie
                      .technique = key.technique,
                      .size = key.size,
                      .shown = shown,
-                     .programs = {},
                      .overlays = key.overlays};
     if (key.finished()) {
         ViewKey alone = key;

@@ -38,11 +38,11 @@ struct SlowPicture {
     Scene scene;
     Technique technique;
     Size size;
-    std::optional<DisplayMap> shown;       ///< drawn as a screen shows it; none: as linear light
-    std::vector<Features> programs;        ///< those that are missing
-    std::vector<ObjectResources> unchosen; ///< ... once the triangles of `auto` are chosen
-    Overlays overlays{};                   ///< on surfaces, of linear light
-    bool difference = false;               ///< ... in a difference
+    std::optional<DisplayMap> shown;         ///< drawn as a screen shows it; none: as linear light
+    std::vector<Features> programs{};        ///< those that are missing
+    std::vector<ObjectResources> unchosen{}; ///< ... once the triangles of `auto` are chosen
+    Overlays overlays{};                     ///< on surfaces, of linear light
+    bool difference = false;                 ///< ... in a difference
     [[nodiscard]] bool finished() const { return comes_finished(textbook, technique); }
 };
 
