@@ -33,6 +33,8 @@ Clock::time_point &slice_begin() {
 
 } // namespace
 
+bool can_suspend() { return page_can_suspend() != 0; }
+
 /// Whoever ran meanwhile has left the stack pointer on a stack of its own, and another
 /// context current.
 void suspend() {
@@ -92,7 +94,7 @@ void Thread::request_stop() {
 std::stop_token Thread::get_stop_token() const { return state_ ? state_->stop.get_token() : std::stop_token(); }
 
 void Thread::join() {
-    if (state_ && page_can_suspend() == 0) {
+    if (state_ && !can_suspend()) {
         state_->run();
     }
     while (state_ && !state_->ended) {
@@ -102,7 +104,7 @@ void Thread::join() {
 }
 
 void suspend_if_due() {
-    if (page_can_suspend() != 0 && Clock::now() - slice_begin() >= slice) {
+    if (can_suspend() && Clock::now() - slice_begin() >= slice) {
         suspend();
     }
 }

@@ -5,6 +5,8 @@
 
 namespace sandbox {
 
+/// False: suspend() would return at once, and nothing else would have run (no JSPI).
+bool can_suspend();
 /// Stops the running thread until the page has had its turn; the second one only if it has run for long.
 void suspend();
 void suspend_if_due();

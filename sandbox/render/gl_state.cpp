@@ -2,6 +2,9 @@
 
 #include "image/error.h"
 #include "render/gl.h"
+#ifdef __EMSCRIPTEN__
+#include "image/page_thread.h"
+#endif
 
 #include <fmt/format.h>
 
@@ -42,19 +45,29 @@ bool is_es() { return GLAD_GL_ES_VERSION_3_0 != 0; }
 
 /// A browser's glFinish() waits for nothing, so a pixel is read there: of this framebuffer, since a driver may put off
 /// the rest.
-void finish_drawing([[maybe_unused]] unsigned framebuffer) {
+void finish_drawing([[maybe_unused]] unsigned framebuffer, [[maybe_unused]] unsigned type) {
 #ifdef __EMSCRIPTEN__
-    GLint bound = 0, layout = 0, type = 0;
-    float pixel[4]; // the largest there is
+    GLint bound = 0;
+    float pixel[4]; // or four bytes
     glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &bound);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
-    glGetIntegerv(GL_IMPLEMENTATION_COLOR_READ_FORMAT, &layout);
-    glGetIntegerv(GL_IMPLEMENTATION_COLOR_READ_TYPE, &type);
-    glReadPixels(0, 0, 1, 1, static_cast<GLenum>(layout), static_cast<GLenum>(type), pixel);
+    glReadPixels(0, 0, 1, 1, GL_RGBA, type, pixel);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(bound));
 #else
     glFinish();
 #endif
+}
+
+void finish_drawing_in_turns(unsigned framebuffer, unsigned type) {
+#ifdef __EMSCRIPTEN__
+    const GLsync fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    glFlush();
+    while (can_suspend() && glClientWaitSync(fence, 0, 0) == GL_TIMEOUT_EXPIRED) {
+        suspend();
+    }
+    glDeleteSync(fence);
+#endif
+    finish_drawing(framebuffer, type);
 }
 
 void forget_gl_errors() {

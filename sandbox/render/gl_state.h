@@ -23,8 +23,10 @@ class PassState {
 
 /// Whether the current context is OpenGL ES.
 bool is_es();
-/// Waits until all that was drawn into `framebuffer` is done.
-void finish_drawing(unsigned framebuffer);
+/// Waits until all that was drawn into `framebuffer` is done. `type`: of its colours, GL_FLOAT or GL_UNSIGNED_BYTE.
+void finish_drawing(unsigned framebuffer, unsigned type);
+/// Likewise for what nobody times: all else in a page has its turns meanwhile.
+void finish_drawing_in_turns(unsigned framebuffer, unsigned type);
 /// What OpenGL has reported up to here is nobody's fault.
 void forget_gl_errors();
 bool has_gl_extension(std::string_view name);

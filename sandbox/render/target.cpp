@@ -81,6 +81,9 @@ Target::Target(Size size, bool object_ids) : size_(size) {
     require_complete(size);
 }
 
+void Target::finish() const { finish_drawing(framebuffer(), GL_FLOAT); }
+void Target::finish_in_turns() const { finish_drawing_in_turns(framebuffer(), GL_FLOAT); }
+
 void Target::write_color(const Image &image) {
     std::vector<glm::vec4> bottom_first = image.pixels;
     flip_rows(bottom_first, size_);
@@ -141,6 +144,9 @@ DisplayTexture::DisplayTexture(Size size) : size_(size) {
     attach(GL_COLOR_ATTACHMENT0, color_);
     require_complete(size);
 }
+
+void DisplayTexture::finish() const { finish_drawing(framebuffer(), GL_UNSIGNED_BYTE); }
+void DisplayTexture::finish_in_turns() const { finish_drawing_in_turns(framebuffer(), GL_UNSIGNED_BYTE); }
 
 DisplayTexture::DisplayTexture(const ByteImage &picture) : DisplayTexture(picture.size) {
     std::vector<std::array<std::uint8_t, 4>> bottom_first(picture.rgb.size() / 3);

@@ -2,7 +2,6 @@
 
 #include "image/image.h"
 #include "render/gl_object.h"
-#include "render/gl_state.h"
 
 #include <cstdint>
 #include <vector>
@@ -30,8 +29,9 @@ class Target {
     /// Reads one pixel's linear colour (x right, y down).
     [[nodiscard]] glm::vec4 read_pixel(int x, int y) const;
     [[nodiscard]] std::vector<std::uint32_t> read_object_ids() const;
-    /// Waits until all that was drawn into it is done.
-    void finish() const { finish_drawing(framebuffer()); }
+    /// Waits until all that was drawn into it is done; in turns: see finish_drawing_in_turns().
+    void finish() const;
+    void finish_in_turns() const;
 
   private:
     template <typename Pixel>
@@ -51,7 +51,8 @@ class DisplayTexture {
     [[nodiscard]] Size size() const { return size_; }
     [[nodiscard]] unsigned texture() const { return color_.id(); }
     [[nodiscard]] unsigned framebuffer() const { return framebuffer_.id(); }
-    void finish() const { finish_drawing(framebuffer()); }
+    void finish() const;
+    void finish_in_turns() const;
 
   private:
     Size size_;
@@ -68,6 +69,7 @@ class ScreenTarget {
     [[nodiscard]] unsigned texture() const { return color_.texture(); }
     [[nodiscard]] unsigned framebuffer() const { return color_.framebuffer(); }
     void finish() const { color_.finish(); }
+    void finish_in_turns() const { color_.finish_in_turns(); }
 
   private:
     DisplayTexture color_;

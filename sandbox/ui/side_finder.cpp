@@ -105,7 +105,7 @@ void SideFinder::start_making(const SlowPicture &picture) {
         if (picture.shown) { // the driver compiles at the first draw into such a target
             ScreenTarget screen(picture.size);
             renderer.draw_shown(picture.scene, picture.technique, *picture.shown, screen);
-            screen.finish();
+            screen.finish_in_turns();
         } else {
             Target target(picture.size);
             renderer.draw(picture.scene, picture.technique, target);
@@ -115,9 +115,9 @@ void SideFinder::start_making(const SlowPicture &picture) {
             if (picture.difference) {
                 DisplayTexture colors(picture.size);
                 DisplayPass(renderer.parts()).run_difference(target, target, colors, 1);
-                colors.finish();
+                colors.finish_in_turns();
             }
-            target.finish();
+            target.finish_in_turns();
         }
     });
     if (!started) {
