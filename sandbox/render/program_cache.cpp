@@ -76,9 +76,8 @@ void ProgramCache::forget_last_good() {
     std::erase_if(entries_, [](const auto &entry) { return entry.second.stale || entry.second.last_good; });
 }
 
-void ProgramCache::end_frame() {
-    ++frames_;
-    while (keeping_all_ == 0 && entries_.size() > most_programs) {
+void ProgramCache::forget_unused() {
+    while (entries_.size() > most_programs) {
         const auto oldest = std::ranges::min_element(entries_, {}, [](const auto &entry) {
             return std::pair(entry.second.last_good, entry.second.last_frame); // nothing builds a last good one again
         });
@@ -87,11 +86,6 @@ void ProgramCache::end_frame() {
         }
         entries_.erase(oldest);
     }
-}
-
-std::shared_ptr<const void> ProgramCache::keep_all() {
-    ++keeping_all_;
-    return {this, [this](const void *) { --keeping_all_; }};
 }
 
 } // namespace sandbox

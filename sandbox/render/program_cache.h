@@ -26,10 +26,9 @@ class ProgramCache {
     /// One constant colour, of NAME_vertex.glsl and NAME_fragment.glsl: wireframe, segment. `deep` as in Features.
     const GlProgram &overlay(const std::string &name, bool deep);
 
+    void end_frame() { ++frames_; }
     /// Of programs that no late frame drew, the least recently used go: a driver may keep megabytes for each.
-    void end_frame();
-    /// While what is returned lives, all stay: for frames timed in turns. It must not outlive the cache.
-    [[nodiscard]] std::shared_ptr<const void> keep_all();
+    void forget_unused();
 
     /// After the parts changed: each program is built again when next needed, its last good one kept in case.
     void rebuild_all();
@@ -55,7 +54,6 @@ class ProgramCache {
     std::string error_;
     int built_ = 0;
     long frames_ = 0;
-    int keeping_all_ = 0; ///< how many ask for it
 };
 
 } // namespace sandbox

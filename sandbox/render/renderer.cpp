@@ -139,6 +139,11 @@ struct Renderer::Impl {
     void forget_unused() {
         std::erase_if(meshes, [](const auto &entry) { return entry.second.unused(); });
         std::erase_if(textures, [](const auto &entry) { return entry.first.use_count() <= 1; });
+        programs.end_frame();
+        if (keeping.use_count() == 1) {
+            programs.forget_unused();
+            splits.forget_unused();
+        }
     }
 
     /// What is written into the program.
@@ -234,7 +239,6 @@ struct Renderer::Impl {
             draw_object(draw_of(scene, part.object, *own.mesh, part.prepared, canvas), own, part.triangles);
         }
         forget_unused();
-        programs.end_frame();
     }
 
     OwnDrawing own_drawing; ///< empty: own shading is drawn as everything else
@@ -243,6 +247,7 @@ struct Renderer::Impl {
     ShaderParts parts;
     ProgramCache programs;
     SplitMeshes splits;
+    std::shared_ptr<const int> keeping = std::make_shared<const int>(0); ///< others hold it: see keep_all()
     std::map<std::shared_ptr<const Mesh>, MeshBuffers> meshes;
     std::map<std::shared_ptr<const Image>, Texture> textures;
     /// Stripes on what `auto` lights per vertex.
@@ -427,7 +432,7 @@ bool Renderer::reload_changed_parts() {
 void Renderer::forget_last_good_programs() { impl_->programs.forget_last_good(); }
 const std::string &Renderer::shader_error() const { return impl_->programs.error(); }
 int Renderer::programs_built() const { return impl_->programs.built(); }
-std::shared_ptr<const void> Renderer::keep_programs() { return impl_->programs.keep_all(); }
+std::shared_ptr<const void> Renderer::keep_all() { return impl_->keeping; }
 Resources &Renderer::resources() {
     if (!impl_->grid_is_known) {
         impl_->grid_is_known = true;

@@ -77,8 +77,8 @@ class Renderer {
     [[nodiscard]] const std::string &shader_error() const;
     /// How many programs were built so far (a technique seen lately builds none).
     [[nodiscard]] int programs_built() const;
-    /// While what is returned lives, every program is kept: frames timed in turns build none. It must not outlive this.
-    [[nodiscard]] std::shared_ptr<const void> keep_programs();
+    /// While what is returned lives, every program and every choice of `auto` is kept: frames timed in turns make none.
+    [[nodiscard]] std::shared_ptr<const void> keep_all();
 
     /// What is loaded knows on which grid this renderer places vertices (ObjectResources::window_grid).
     [[nodiscard]] Resources &resources();

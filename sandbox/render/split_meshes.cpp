@@ -74,6 +74,9 @@ void SplitMeshes::take(const Scene &scene, const Technique &technique, const std
         entry.triangles += mesh.triangles.size();
     }
     entries_.splice(entries_.end(), made);
+}
+
+void SplitMeshes::forget_unused() {
     std::size_t triangles = 0;
     for (const Entry &kept : entries_) {
         triangles += kept.triangles;

@@ -36,6 +36,8 @@ class SplitMeshes {
     /// What certificate::choose() gave for the same.
     void take(const Scene &scene, const Technique &technique, const std::vector<ObjectResources> &resources, Size size,
               const certificate::Choice &choice);
+    /// Of many, the ones asked for last stay.
+    void forget_unused();
 
   private:
     struct Held {

@@ -72,6 +72,30 @@ TEST_F(AutomaticGl, DrawsByAChoiceMadeElsewhere) {
     EXPECT_EQ(other.render(scene, automatic, size_).color.pixels == own.pixels, true);
 }
 
+/// Or frames that a report times in turns would hold the choosing.
+TEST_F(AutomaticGl, EveryChoiceStaysWhileAllIsKept) {
+    const Technique automatic = technique_of(Frequency::automatic, Model::blinn_phong);
+    std::vector<Scene> scenes;
+    for (int i = 0; i < 70; ++i) {
+        scenes.push_back(scene_named("directional-light"));
+        scenes.back().objects[0].material.shininess = 10 + i;
+    }
+    std::shared_ptr<const void> kept = renderer_.keep_all();
+    Target target(size_);
+    const auto unchosen = [&] {
+        return std::ranges::count_if(
+            scenes, [&](const Scene &scene) { return !renderer_.unchosen(scene, automatic, size_).empty(); });
+    };
+    for (const Scene &scene : scenes) {
+        renderer_.draw(scene, automatic, target);
+    }
+    EXPECT_EQ(unchosen(), 0);
+    kept.reset();
+    renderer_.draw(scenes.back(), automatic, target);
+    EXPECT_GT(unchosen(), 0);
+    EXPECT_TRUE(renderer_.unchosen(scenes.back(), automatic, size_).empty());
+}
+
 /// Stripes lie where vertices are lit, and nowhere under another frequency.
 TEST_F(AutomaticGl, StripesLieOnWhatIsLitPerVertex) {
     const Scene scene = scene_named("vase");

@@ -81,7 +81,7 @@ TEST_F(Programs, OfManyProgramsTheLastOnesUsedAreKept) {
     }
     EXPECT_EQ(built_by(many.back()), 0) << "just drawn";
     EXPECT_EQ(built_by(many.front()), 1) << "long ago";
-    const std::shared_ptr<const void> kept = renderer.keep_programs();
+    const std::shared_ptr<const void> kept = renderer.keep_all();
     for (const Technique &technique : many) {
         built_by(technique);
     }

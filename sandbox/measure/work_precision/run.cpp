@@ -53,7 +53,7 @@ class Measurement {
 
     /// Throws Cancelled.
     void run() {
-        const std::shared_ptr<const void> kept = draw_.keep_programs ? draw_.keep_programs() : nullptr;
+        const std::shared_ptr<const void> kept = draw_.keep_all ? draw_.keep_all() : nullptr;
         find_truths();
         for (std::size_t i = 0; i < result_.rows.size(); ++i) {
             report(errors_share * static_cast<double>(i) / static_cast<double>(result_.rows.size()));

@@ -83,8 +83,8 @@ struct DrawRows {
     std::function<double(const Scene &, const Technique &)> timed;
     /// With a fragment stage declared mediump; empty where the device knows no precision.
     std::function<Image(const Scene &, const Technique &)> mediump{};
-    /// While what it returns lives, no program is built twice; may be empty.
-    std::function<std::shared_ptr<const void>()> keep_programs{};
+    /// While what it returns lives, nothing that a frame is drawn with is made twice; may be empty.
+    std::function<std::shared_ptr<const void>()> keep_all{};
 };
 
 /// Finds the errors first, once per row; then draws every row once a round, drops `options.warm_ups` rounds and keeps
@@ -106,7 +106,7 @@ DrawRows rows_drawn_by(Renderer &renderer, Target &target, Clock &clock) {
         [&](const Scene &s, const Technique &t) { return renderer.render(s, t, target.size(), true); },
         [&](const Scene &s, const Technique &t) { return clock.milliseconds([&] { renderer.draw(s, t, target); }); },
         {},
-        [&] { return renderer.keep_programs(); }};
+        [&] { return renderer.keep_all(); }};
     if (Renderer::knows_precision()) {
         draw.mediump = [&](const Scene &s, const Technique &t) {
             renderer.draw_mediump(s, t, target);

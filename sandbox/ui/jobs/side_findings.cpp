@@ -66,7 +66,7 @@ class Finder {
     /// In turns, so that whatever slows the machine slows both.
     void take_times(Findings &findings) {
         Target target(shown_.size);
-        const std::shared_ptr<const void> kept = renderer_.keep_programs(); // others draw in between
+        const std::shared_ptr<const void> kept = renderer_.keep_all(); // others draw in between
         std::array<std::vector<double>, 2> samples;
         FrameClock clock(Context::software(), target, [&] { renderer_.draw(scenes_[1], technique(true), target); });
         const auto end = std::chrono::steady_clock::now() + longest_timing;
