@@ -3,6 +3,7 @@
 #include "render/context.h"
 #include "render/gl.h"
 #include "render/gl_state.h"
+#include "render/lifted.h"
 #include "render/mesh_buffers.h"
 #include "render/program_cache.h"
 #include "render/seen_part.h"
@@ -18,7 +19,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -84,30 +84,6 @@ ObjectDraw draw_of(const Scene &scene, std::size_t object, const Mesh &mesh, con
             canvas.size,
             static_cast<unsigned>(object + 1),
             canvas.shown ? canvas.shown->exposure : 1};
-}
-
-/// A line's pixels lie up to half a pixel beside it, where a surface seen at up to 86 degrees from its normal is nearer
-/// by tan(86 degrees) = 14 times that.
-constexpr double lines_lift = 7;
-/// What covers a surface's own pixels need but be in front of how depth is rounded.
-constexpr double stripes_lift = 0.1;
-
-/// Where what lies on a surface is drawn: nearer than it by so many pixels, which keeps it in front.
-void put_lifted(const GlProgram &program, const Scene &scene, const EyeSpace &space, Size size, bool deep,
-                double pixels) {
-    const Camera &camera = scene.camera;
-    const double lift = pixels * view_height(camera, 1) / size.height; // perspective: a share of the distance
-    glm::dmat4 to_clip = model_view_projection(scene, space, aspect_of(size));
-    if (deep) {
-        to_clip = without_depth(to_clip);
-        program.set("depth_per_octave", static_cast<float>(space.depth_per_octave));
-        program.set("depth_at_1", static_cast<float>(space.depth_at_1 - space.depth_per_octave * std::log2(1 + lift)));
-    } else if (is_perspective(camera)) { // the eye's own column is what does not shrink with the distance
-        to_clip[3].z += lift * view_projection(camera, aspect_of(size))[3].z * space.scale;
-    } else {
-        to_clip[3].z -= lift * 2 / (camera.far_plane - camera.near_plane) * space.scale;
-    }
-    program.set("model_view_projection", glm::mat4(to_clip));
 }
 
 /// Skips back faces where they cannot be seen; a mirrored object's front faces run clockwise.
