@@ -51,6 +51,7 @@ void finish_drawing([[maybe_unused]] unsigned framebuffer, [[maybe_unused]] unsi
     float pixel[4]; // or four bytes
     glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &bound);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+    glReadBuffer(GL_COLOR_ATTACHMENT0); // object ids may have been read before
     glReadPixels(0, 0, 1, 1, GL_RGBA, type, pixel);
     glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(bound));
 #else
