@@ -195,8 +195,8 @@ def vase():
     return "\n".join(lines) + "\n"
 
 
-# Side and blur in texels, and the filter of filtered() that packs best: each is to have a texel a pixel where scenes show it at 1920x1080, and to be as sharp as float32
-# coordinates can hold within 2e-5.
+# Side and blur in texels: each is to have a texel a pixel where scenes show it at 1920x1080, and to be as sharp as float32
+# coordinates can hold within 2e-5. Then the filter of filtered() that packs best.
 TEXTURES = ((checker, 512, 4, LEFT), (bricks, 256, 2.5, LEFT), (wood, 1024, 5.5, ABOVE), (marble, 1024, 7, LEFT),
             (tiles, 512, 2.5, LEFT))
 

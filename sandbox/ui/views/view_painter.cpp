@@ -172,18 +172,23 @@ bool ViewPainter::paint_side(Side &side, const ViewKey &wanted, const DisplayMap
         return slow_picture(side, key, light ? std::nullopt : std::optional(display), moving);
     };
     side.awaited = is_drawn(wanted) ? std::nullopt : slow(wanted);
-    ViewKey stand_in = wanted; // while triangles are chosen
-    stand_in.technique = as_drawn(wanted.technique, true, wanted.overlays);
-    const bool stands_in = side.awaited && !side.awaited->unchosen.empty() && (is_drawn(stand_in) || !slow(stand_in));
+    std::optional<ViewKey> stand_in; // while triangles are chosen
+    if (side.awaited && !side.awaited->unchosen.empty()) {
+        stand_in = wanted;
+        stand_in->technique = as_drawn(wanted.technique, true, wanted.overlays);
+        if (!is_drawn(*stand_in) && slow(*stand_in)) {
+            stand_in.reset();
+        }
+    }
     // The last finished picture is shown while the next one is made, so that it follows what is dragged, and where the
     // next one failed.
     const bool failed = !side.awaited && wanted.finished() && side.finished && !side.finished->failure.empty();
     const bool behind = (side.awaited || failed) && wanted.finished() && side.finished &&
                         !side.finished->image.pixels.empty() && side.drawn && side.drawn->finished();
-    if (side.awaited && !behind && !stands_in) {
+    if (side.awaited && !behind && !stand_in) {
         return false;
     }
-    ViewKey key = behind ? side.finished->of : stands_in ? stand_in : wanted;
+    ViewKey key = behind ? side.finished->of : stand_in.value_or(wanted);
     key.overlays = wanted.overlays;
     const bool redraw = !is_drawn(key);
     if (behind) {
