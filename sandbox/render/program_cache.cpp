@@ -39,17 +39,20 @@ void ProgramCache::build(Entry &entry, const Key &key) {
 }
 
 const GlProgram &ProgramCache::get(const Features &features, const UniformValues &constants) {
-    const Key key(features, constants);
-    Entry &entry = entries_[key];
+    auto found = entries_.find(Asked(features, constants));
+    if (found == entries_.end()) {
+        found = entries_.try_emplace({features, constants}).first;
+    }
+    Entry &entry = found->second;
     if (entry.program == nullptr || entry.stale) {
-        build(entry, key);
+        build(entry, found->first);
     }
     entry.last_frame = frames_;
     return *entry.program;
 }
 
 bool ProgramCache::has(const Features &features, const UniformValues &constants) const {
-    const auto found = entries_.find({features, constants});
+    const auto found = entries_.find(Asked(features, constants));
     return found != entries_.end() && found->second.program != nullptr && !found->second.stale;
 }
 

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace sandbox {
@@ -46,10 +47,18 @@ class ProgramCache {
         long last_frame = 0;    ///< that drew it
     };
     using Key = std::pair<Features, UniformValues>;
+    /// Finds a key by references: a frame asks for each of its programs, and copies nothing.
+    struct Less {
+        using is_transparent = void;
+        bool operator()(const auto &a, const auto &b) const {
+            return std::tie(a.first, a.second) < std::tie(b.first, b.second);
+        }
+    };
+    using Asked = std::pair<const Features &, const UniformValues &>;
     void build(Entry &entry, const Key &key);
 
     const ShaderParts &parts_;
-    std::map<Key, Entry> entries_;
+    std::map<Key, Entry, Less> entries_;
     std::map<std::pair<std::string, bool>, GlProgram> overlays_; ///< by name and `deep`
     std::string error_;
     int built_ = 0;

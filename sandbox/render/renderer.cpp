@@ -131,7 +131,9 @@ struct Renderer::Impl {
         require_drawable(draw.prepared.features, draw.object);
         const GlProgram &program = programs.get(draw.prepared.program, constants(draw));
         glUseProgram(program.id());
-        upload_uniforms(program, draw);
+        if (!program.uniforms().empty()) { // a baked program has none
+            upload_uniforms(program, draw);
+        }
         // Without a texture nothing is bound: WebGL refuses what was, the target itself say.
         if (program.has("base_texture")) {
             glActiveTexture(GL_TEXTURE0);
