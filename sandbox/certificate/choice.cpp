@@ -1,5 +1,6 @@
 #include "certificate/choice.h"
 
+#include "certificate/light_groups.h"
 #include "certificate/shading_bound.h"
 #include "image/thread.h"
 #include "scene/light_kind.h"
@@ -9,11 +10,14 @@
 #include "shading/object_lights.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <utility>
 
 namespace sandbox::certificate {
 namespace {
@@ -50,6 +54,7 @@ double cos_degrees(double degrees) { return degrees == 90 ? 0 : std::cos(glm::ra
 BoundLight bound_light(const Light &light, const ObjectLight &use, const Technique &technique, const Camera &camera,
                        const Material &material, const glm::dvec3 &base) {
     BoundLight bound;
+    bound.index = use.index;
     bound.positional = has_position(light);
     bound.cone = has_cone(light);
     bound.position = light.position - camera.position;
@@ -180,7 +185,11 @@ bool may_lose_half_vector(const BoundObject &object) {
 struct Proof {
     ObjectChoice choice;
     double bound = 0;
+    LightSet lights = 0;                      ///< of the object
+    std::vector<LightSet> seen;               ///< one per triangle: no other light adds anything to it
+    std::array<AreaOfLights, 2> area_of_seen; ///< in each of the two parts
 };
+constexpr std::uint8_t per_pixel = 0, per_vertex = 1; // its first two parts
 Proof prove(const Scene &scene, const Technique &technique, const Object &object, const ObjectResources &own,
             double tolerance, bool hides_backs) {
     const Mesh &mesh = *own.mesh;
@@ -190,7 +199,12 @@ Proof prove(const Scene &scene, const Technique &technique, const Object &object
     const bool mirrored = is_mirrored(object.transform);
     const bool unproved = may_lose_half_vector(bounded);
     Proof proof;
-    proof.choice.per_vertex.assign(mesh.triangles.size(), per_pixel);
+    proof.choice.parts.push_back({Frequency::per_vertex});
+    for (const BoundLight &light : bounded.lights) {
+        proof.lights |= LightSet{1} << light.index;
+    }
+    proof.choice.part_of.assign(mesh.triangles.size(), per_pixel);
+    proof.seen.assign(mesh.triangles.size(), proof.lights);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         if (t % 128 == 0) {
             let_others_run();
@@ -201,7 +215,7 @@ Proof prove(const Scene &scene, const Technique &technique, const Object &object
         };
         const BoundTriangle triangle{of(lit.positions), of(lit.normals)};
         if (hides_backs && shows_back(scene.camera, triangle.position, mirrored)) {
-            proof.choice.per_vertex[t] = hidden;
+            proof.choice.part_of[t] = ObjectChoice::hidden;
             continue;
         }
         const double area = seen_area(scene.camera, triangle.position);
@@ -210,13 +224,51 @@ Proof prove(const Scene &scene, const Technique &technique, const Object &object
         const Bound bound = shading_bound(bounded, triangle, tolerance);
         const double rounding = 2 * (body_rounding * (bound.body + bounded.constant) + highlight * bound.highlight);
         if (const double all = bound.interpolation + rounding; all <= tolerance && !unproved) {
-            proof.choice.per_vertex[t] = proved;
+            proof.choice.part_of[t] = per_vertex;
             ++proof.choice.lit_per_vertex;
             proof.choice.area_per_vertex += area;
             proof.bound = std::max(proof.bound, all);
         }
+        proof.seen[t] = bound.lights & proof.lights;
+        proof.area_of_seen[proof.choice.part_of[t]][proof.seen[t]] += area;
     }
     return proof;
+}
+
+/// What is proved saves too little: all is lit per pixel.
+void give_up_vertices(Proof &proof) {
+    for (std::uint8_t &part : proof.choice.part_of) {
+        part = part == per_vertex ? per_pixel : part;
+    }
+    for (const auto &[seen, area] : proof.area_of_seen[per_vertex]) {
+        proof.area_of_seen[per_pixel][seen] += area;
+    }
+    proof.choice.lit_per_vertex = 0;
+    proof.choice.area_per_vertex = proof.bound = 0;
+}
+
+/// What is lit per vertex has few places where a light could be left out.
+void leave_out_lights(Proof &proof) {
+    const double least = least_saved * proof.choice.area * std::popcount(proof.lights);
+    const LightGroups groups = group_by_lights(proof.area_of_seen[per_pixel], least, most_light_groups);
+    const std::size_t others = proof.choice.parts.size() - 1; // the first group is the part that all were in
+    proof.choice.parts[per_pixel].lights = groups.lights[0];
+    for (std::size_t group = 1; group < groups.lights.size(); ++group) {
+        proof.choice.parts.push_back({Frequency::per_pixel, groups.lights[group]});
+    }
+    for (std::size_t t = 0; t < proof.seen.size(); ++t) {
+        if (std::uint8_t &part = proof.choice.part_of[t]; part == per_pixel) {
+            const std::size_t group = groups.group_of.at(proof.seen[t]);
+            part = static_cast<std::uint8_t>(group == 0 ? per_pixel : others + group);
+        }
+    }
+}
+
+/// Nothing is split: one draw of all triangles.
+ObjectChoice whole(ObjectChoice choice, const Mesh &mesh) {
+    choice.parts.assign(1, {});
+    choice.part_of.assign(mesh.triangles.size(), per_pixel);
+    return choice;
 }
 
 } // namespace
@@ -246,12 +298,15 @@ Choice choose(const Scene &scene, const std::vector<ObjectResources> &resources,
             proof = prove(scene, technique, object, resources[i], technique.tolerance, hides_backs);
         }
         if (proof.choice.area_per_vertex <= least_share * proof.choice.area) {
-            proof.choice.per_vertex.assign(mesh.triangles.size(), per_pixel);
-            proof.choice.lit_per_vertex = 0;
-            proof.choice.area_per_vertex = proof.bound = 0;
+            give_up_vertices(proof);
+        }
+        bool splits = false;
+        if (!proof.seen.empty()) { // else nothing was tried
+            leave_out_lights(proof);
+            splits = proof.choice.lit_per_vertex > 0 || proof.choice.parts[per_pixel].lights != proof.lights;
         }
         choice.bound = std::max(choice.bound, proof.bound);
-        choice.objects.push_back(std::move(proof.choice));
+        choice.objects.push_back(splits ? std::move(proof.choice) : whole(std::move(proof.choice), mesh));
     }
     choice.milliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return choice;

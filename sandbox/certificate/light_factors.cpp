@@ -114,12 +114,20 @@ std::optional<typename Dot::Number> Lighting<Dot>::highlight_cosine(const BoundL
     return inverse_h ? std::optional((n_dot_l + n_dot_v_) * *inverse_h) : std::nullopt;
 }
 
-template <class Dot>
-Factor<typename Dot::Number> Lighting<Dot>::cone(const BoundLight &light, const Linear &l,
-                                                 const Number &square_distance) const {
-    Number c = dot_(negative(l), constant(light.travel)) * inverted_root(square_distance).value_or(one<Number>());
-    Interval &range = value_of(c);
-    range = shared(range, {-1, 1});
+template <class Dot> typename Dot::Number Lighting<Dot>::cone_cosine(const BoundLight &light) const {
+    const Linear l = to_light(light);
+    Number c = dot_(negative(l), constant(light.travel)) * inverted_root(dot_(l, l)).value_or(one<Number>());
+    value_of(c) = shared(value_of(c), {-1, 1});
+    return c;
+}
+
+template <class Dot> bool Lighting<Dot>::outside_cone(const BoundLight &light) const {
+    return light.cone && value_of(cone_cosine(light)).hi < light.cos_outer - branch_width * spread(light);
+}
+
+template <class Dot> Factor<typename Dot::Number> Lighting<Dot>::cone(const BoundLight &light) const {
+    const Number c = cone_cosine(light);
+    const Interval &range = value_of(c);
     if (range.hi < light.cos_outer - branch_width) {
         return {};
     }
@@ -158,7 +166,7 @@ LightFactors<typename Dot::Number> Lighting<Dot>::factors(const BoundLight &ligh
     const bool times_n_dot_l = object_.technique.gate == Gate::times_n_dot_l;
     const Number square_distance = light.positional ? dot_(l, l) : one<Number>();
     const Interval &range = value_of(square_distance);
-    const Factor<Number> spot = light.cone ? cone(light, l, square_distance) : Factor<Number>{one<Number>()};
+    const Factor<Number> spot = light.cone ? cone(light) : Factor<Number>{one<Number>()};
     LightFactors<Number> factors;
     if (asked.reach || (asked.highlight && !times_n_dot_l)) {
         factors.reach = light.positional ? composed(attenuation(light.attenuation, range), square_distance, anything)

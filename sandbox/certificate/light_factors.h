@@ -46,6 +46,8 @@ template <class Dot> class Lighting {
     /// How many times more than one rounding float32 turns the direction to the light: it rounds positions by shares of
     /// their distance from the eye. Infinite where the light may lie on the triangle.
     [[nodiscard]] double spread(const BoundLight &light) const;
+    /// Does its cone miss every point, in float32, too?
+    [[nodiscard]] bool outside_cone(const BoundLight &light) const;
     /// No more than this is left by the distance; infinite where nothing is known.
     [[nodiscard]] double strength(const BoundLight &light) const;
     /// The longest N, at least 1.
@@ -58,7 +60,9 @@ template <class Dot> class Lighting {
 
   private:
     [[nodiscard]] Linear to_light(const BoundLight &light) const;
-    [[nodiscard]] Factor<Number> cone(const BoundLight &light, const Linear &l, const Number &square_distance) const;
+    /// Of the angle off the cone's axis.
+    [[nodiscard]] Number cone_cosine(const BoundLight &light) const;
+    [[nodiscard]] Factor<Number> cone(const BoundLight &light) const;
     [[nodiscard]] Factor<Number> highlight_power(const BoundLight &light, const Lighting<OverTriangle> *centroid) const;
 
     const BoundObject &object_;

@@ -46,6 +46,7 @@ class Side {
           centroid_(object, triangle, {.at_centroid = true}) {
         known_ = over_.found() && centroid_.found() &&
                  std::ranges::all_of(object.lights, [&](const BoundLight &light) { return add(light); });
+        seen_ = known_ ? seen_ : every_light;
     }
 
     [[nodiscard]] Bound bound(double wanted) const;
@@ -67,6 +68,7 @@ class Side {
     std::vector<SmoothLight> smooth_;
     glm::dvec3 rough_{0}; ///< bounds of what jumps or has a kink
     double body_ = 0, highlight_ = 0;
+    LightSet seen_ = 0; ///< as Bound::lights
 };
 
 bool Side::add(const Factor<Jet> &factor, const glm::dvec3 &weight, Where side, bool has_kink, bool body) {
@@ -100,12 +102,14 @@ bool Side::add(const BoundLight &light) {
                         : technique.gate == Gate::view_facing ? where(over_.n_dot_v(), size)
                                                               : faced;
     const Where ambient = technique.ambient == AmbientWhere::where_lit ? faced : Where::above;
-    const Asked asked{.reach = light.ambient != none && ambient != Where::below,
-                      .incidence = light.diffuse != none && lit != Where::below,
-                      .highlight = light.specular != none && shown != Where::below};
+    const bool dark = over_.outside_cone(light);
+    const Asked asked{.reach = light.ambient != none && ambient != Where::below && !(dark && light.ambient_fades),
+                      .incidence = light.diffuse != none && lit != Where::below && !dark,
+                      .highlight = light.specular != none && shown != Where::below && !dark};
     if (!asked.reach && !asked.incidence && !asked.highlight) {
         return true;
     }
+    seen_ |= LightSet{1} << light.index;
     LightFactors<Jet> factors = over_.factors(light, asked, &centroid_);
     const double noise = spread * cone_noise(light);
     const glm::dvec3 body = light.ambient * (asked.reach ? 1.0 : 0.0) + light.diffuse * (asked.incidence ? size : 0.0);
@@ -161,7 +165,7 @@ double Side::error_at(const glm::dvec3 &weights, const std::array<Channels, 3> &
 /// The error is a smooth function, too, with the same second derivatives. On a grid of 4^k like triangles it is at most
 /// its largest value at a grid's point plus what is left between those, which is 4^k times less than on the whole.
 Bound Side::bound(double wanted) const {
-    Bound result{infinite, body_, highlight_};
+    Bound result{infinite, body_, highlight_, seen_};
     if (!known_) {
         return result;
     }
@@ -214,7 +218,7 @@ Bound shading_bound(const BoundObject &object, const BoundTriangle &triangle, do
         const Bound front = Side(object, triangle).bound(wanted);
         const Bound back = Side(object, other).bound(wanted);
         return {std::max(front.interpolation, back.interpolation), std::max(front.body, back.body),
-                std::max(front.highlight, back.highlight)};
+                std::max(front.highlight, back.highlight), front.lights | back.lights};
     }
     const Lighting<OverTriangle> over(object, triangle, {});
     const Where faces_viewer = over.found() ? where(over.n_dot_v(), over.longest_normal()) : Where::across;

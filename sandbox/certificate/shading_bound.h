@@ -2,6 +2,7 @@
 
 #include "certificate/interpolation_bound.h"
 #include "scene/scene.h"
+#include "shading/object_lights.h"
 #include "shading/technique.h"
 
 #include <glm/vec3.hpp>
@@ -13,6 +14,7 @@ namespace sandbox::certificate {
 
 /// One light on one object. World axes, the eye as the origin.
 struct BoundLight {
+    std::size_t index = 0; ///< in scene.lights
     bool positional = true;
     bool cone = false;
     glm::dvec3 position{0}, travel{0}; ///< travel: unit
@@ -53,6 +55,7 @@ struct Bound {
     /// What float32 rounds: no more light than this comes from ambient and diffuse terms and from specular ones, times
     /// how many roundings its direction and its cone have.
     double body = 0, highlight = 0;
+    LightSet lights = every_light; ///< that may add something to some point
 };
 
 /// A term that jumps counts with all of its height, one with a kink with the kink's. What the second derivatives alone

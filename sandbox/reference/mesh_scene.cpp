@@ -130,9 +130,9 @@ IsolatedPoint centroid(const Setup &setup, const MeshObject &object, const glm::
 
 Frequency MeshObject::frequency(std::size_t triangle) const {
     const Frequency asked = setup.technique.frequency;
-    return asked != Frequency::automatic                ? asked
-           : chosen[triangle] == certificate::per_pixel ? Frequency::per_pixel
-                                                        : Frequency::per_vertex;
+    return asked == Frequency::automatic && chosen.shows(triangle) ? chosen.part(triangle).frequency
+           : asked == Frequency::automatic                         ? Frequency::per_pixel
+                                                                   : asked;
 }
 
 MeshScene prepare_meshes(const Scene &scene, const std::vector<ObjectResources> &resources, const Technique &technique,
@@ -147,7 +147,7 @@ MeshScene prepare_meshes(const Scene &scene, const std::vector<ObjectResources> 
     if (technique.frequency == Frequency::automatic) {
         certificate::Choice choice = certificate::choose(scene, resources, technique, aspect_of(size));
         for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-            meshes.objects[i].chosen = std::move(choice.objects[i].per_vertex);
+            meshes.objects[i].chosen = std::move(choice.objects[i]);
         }
     }
     return meshes;

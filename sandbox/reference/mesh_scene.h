@@ -1,5 +1,6 @@
 #pragma once
 
+#include "certificate/choice.h"
 #include "reference/branches.h"
 #include "reference/parallel.h"
 #include "reference/raster.h"
@@ -28,7 +29,7 @@ struct MeshObject {
     std::vector<glm::dvec3> positions; ///< one per vertex, as lit, from the eye
     std::vector<glm::dvec3> normals;   ///< one per vertex, unit, world axes
     Lit front, back;                   ///< as each side is seen; `back` of two-sided objects only
-    std::vector<std::uint8_t> chosen;  ///< auto: values of certificate::ObjectChoice::per_vertex
+    certificate::ObjectChoice chosen;  ///< of auto
 
     /// How a triangle is lit: the technique's frequency or what `auto` chose.
     [[nodiscard]] Frequency frequency(std::size_t triangle) const;

@@ -172,7 +172,7 @@ struct Renderer::Impl {
         return prepared;
     }
     void add_split(Prepared &prepared, const Scene &scene, const Technique &technique, const Canvas &canvas,
-                   DrawOptions options) {
+                   const DrawOptions &options) {
         const std::vector<SplitMesh> &split = splits.of(scene, technique, prepared.loaded, canvas.size);
         const auto cut =
             seen_parts(scene, part_of_auto(technique, Frequency::per_pixel), prepared.loaded, aspect_of(canvas.size));
@@ -183,13 +183,13 @@ struct Renderer::Impl {
                     {i, prepare_object(scene, technique, scene.objects[i], *cut[i].mesh, options)});
                 continue;
             }
-            for (const Frequency frequency : {Frequency::per_vertex, Frequency::per_pixel}) {
-                options.part = frequency;
-                if (const TrianglePart triangles = split[i].part(frequency); triangles.count > 0) {
-                    const Mesh &mesh = *prepared.loaded[i].mesh;
-                    prepared.parts.push_back(
-                        {i, prepare_object(scene, technique, scene.objects[i], mesh, options), triangles});
-                }
+            for (const SplitMesh::Part &part : split[i].parts) {
+                DrawOptions of_part = options;
+                of_part.part = part.frequency;
+                of_part.lights = part.lights;
+                prepared.parts.push_back(
+                    {i, prepare_object(scene, technique, scene.objects[i], *prepared.loaded[i].mesh, of_part),
+                     part.triangles});
             }
         }
     }
@@ -293,7 +293,11 @@ void Renderer::Impl::draw_proved(const Scene &scene, const Technique &technique,
         const EyeSpace space = eye_space(scene, object, *loaded[i].mesh);
         put_lifted(program, scene, space, size, deep, stripes_lift);
         set_culling(scene.camera, object, *loaded[i].mesh, aspect_of(size));
-        buffers(loaded[i].mesh).draw({}, split[i].part(Frequency::per_vertex));
+        for (const SplitMesh::Part &part : split[i].parts) {
+            if (part.frequency == Frequency::per_vertex) {
+                buffers(loaded[i].mesh).draw({}, part.triangles);
+            }
+        }
     }
 }
 

@@ -12,16 +12,22 @@ constexpr std::size_t most_entries = 64, least_entries = 2;
 SplitMesh split(const Mesh &mesh, const certificate::ObjectChoice &choice) {
     std::vector<glm::uvec3> order;
     order.reserve(mesh.triangles.size());
-    SplitMesh made;
-    for (const std::uint8_t wanted : {certificate::proved, certificate::per_pixel}) {
+    std::vector<SplitMesh::Part> parts;
+    for (std::size_t part = 0; part < choice.parts.size(); ++part) {
+        const std::size_t first = order.size();
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-            if (choice.per_vertex[t] == wanted) {
+            if (choice.part_of[t] == part) {
                 order.push_back(mesh.triangles[t]);
             }
         }
-        (wanted == certificate::proved ? made.per_vertex : made.per_pixel) = order.size() - made.per_vertex;
+        if (order.size() > first) {
+            parts.push_back({choice.parts[part], {0, first, order.size() - first}});
+        }
     }
-    made.indices = make_index_buffer(order);
+    SplitMesh made{make_index_buffer(order), std::move(parts)};
+    for (SplitMesh::Part &part : made.parts) {
+        part.triangles.indices = made.indices.id();
+    }
     return made;
 }
 

@@ -12,16 +12,14 @@
 
 namespace sandbox {
 
-/// An object's triangles as the frequency `auto` draws them: those that are lit per vertex, then those per pixel. What
-/// shows its back alone, where that is culled, is left out.
+/// An object's triangles as the frequency `auto` draws them, part after part. What shows its back alone, where that is
+/// culled, is left out.
 struct SplitMesh {
+    struct Part : certificate::Part {
+        TrianglePart triangles;
+    };
     Buffer indices;
-    std::size_t per_vertex = 0, per_pixel = 0; ///< triangles
-
-    [[nodiscard]] TrianglePart part(Frequency frequency) const {
-        return frequency == Frequency::per_vertex ? TrianglePart{indices.id(), 0, per_vertex}
-                                                  : TrianglePart{indices.id(), per_vertex, per_pixel};
-    }
+    std::vector<Part> parts; ///< that have triangles
 };
 
 /// Those of the scenes that were drawn last: choosing takes longer than a frame.

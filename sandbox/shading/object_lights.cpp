@@ -42,7 +42,7 @@ bool ambient_with_light(const Light &light, const Technique &technique) {
     return technique.ambient == AmbientWhere::where_lit || (light.attenuate_ambient && fades(light));
 }
 
-ObjectLights lights_on_object(const Scene &scene, const Technique &technique, const Object &object) {
+ObjectLights lights_on_object(const Scene &scene, const Technique &technique, const Object &object, LightSet seen) {
     ObjectLights result;
     const bool normalised = technique.normalisation == Normalisation::blinn_phong;
     const double n = raised_exponent(scene, technique.model, object.material);
@@ -56,7 +56,7 @@ ObjectLights lights_on_object(const Scene &scene, const Technique &technique, co
         }
         const bool ambient = own_ambient && terms.ambient;
         const bool attenuated = light.attenuate_ambient && fades(light);
-        if (ambient || terms.diffuse || terms.specular) {
+        if ((seen >> i & 1) != 0 && (ambient || terms.diffuse || terms.specular)) {
             result.of_kind[drawn_type(light)].push_back(
                 {.index = i,
                  .ambient = ambient && !attenuated,

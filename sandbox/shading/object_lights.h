@@ -5,10 +5,15 @@
 #include "shading/technique.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <vector>
 
 namespace sandbox {
+
+/// Bit i: scene.lights[i].
+using LightSet = std::uint64_t;
+constexpr LightSet every_light = ~LightSet{0};
 
 /// The terms of a light that no factor makes 0 on an object.
 struct ShiningTerms {
@@ -32,7 +37,9 @@ struct ObjectLights {
                                     ///< everywhere
 };
 
-ObjectLights lights_on_object(const Scene &scene, const Technique &technique, const Object &object);
+/// `seen`: no other light adds anything but constant ambient light.
+ObjectLights lights_on_object(const Scene &scene, const Technique &technique, const Object &object,
+                              LightSet seen = every_light);
 
 /// How many times the diffuse light of a light the specular is, where both have one colour; 0 without diffuse light.
 double specular_share(const Material &material, const Light &light, const ObjectLight &on_object);

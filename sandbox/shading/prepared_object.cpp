@@ -7,7 +7,7 @@ PreparedObject prepare_object(const Scene &scene, const Technique &given, const 
     const Technique technique = part_of_auto(given, options.part);
     PreparedObject prepared;
     prepared.space = eye_space(scene, object, mesh, technique, options.guarded);
-    prepared.lights = lights_on_object(scene, technique, object);
+    prepared.lights = lights_on_object(scene, technique, object, options.lights);
     Features &features = prepared.features;
     features = derive_features(scene, technique, object, mesh, prepared.lights, prepared.space);
     features.object_ids = options.object_ids;

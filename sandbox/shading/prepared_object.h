@@ -25,6 +25,7 @@ struct DrawOptions {
     bool guarded = true;                   ///< false: without_guards()
     bool mediump = false;                  ///< as in Features
     Frequency part = Frequency::per_pixel; ///< of `auto`: which of its two
+    LightSet lights = every_light;         ///< that add something to what is drawn
 };
 
 PreparedObject prepare_object(const Scene &scene, const Technique &given, const Object &object, const Mesh &mesh,

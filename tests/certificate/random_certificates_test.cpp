@@ -42,43 +42,61 @@ Technique bounded_technique(unsigned seed) {
     return nearest_valid(seed % 2 == 0 ? technique : Technique{.model = technique.model, .gate = technique.gate});
 }
 
-/// The largest true difference over a triangle, at a grid of points, as seen from one side.
-class TrueDifference {
+/// What is true of a triangle at a grid of points, as seen from one side.
+class TruePoints {
   public:
-    TrueDifference(const reference::MeshScene &scene, std::size_t object) : mesh_(scene.objects[object]) {}
+    TruePoints(const reference::MeshScene &scene, std::size_t object) : mesh_(scene.objects[object]) {}
 
-    double over(const glm::uvec3 &t, reference::Side side) const {
+    /// The largest difference between lit at the corners and at every point.
+    double difference_over(const glm::uvec3 &t, reference::Side side) const {
         const auto corner = [&](unsigned v) { return reflected(mesh_.positions[v], mesh_.normals[v], side); };
         const reference::Reflected a = corner(t.x), b = corner(t.y), c = corner(t.z);
         double most = 0;
-        constexpr int steps = 10;
-        for (int i = 0; i <= steps; ++i) {
-            for (int j = 0; i + j <= steps; ++j) {
-                const glm::dvec3 w = glm::dvec3(steps - i - j, i, j) / static_cast<double>(steps);
-                const auto blend = [&](const auto &x, const auto &y, const auto &z) {
-                    return w.x * x + w.y * y + w.z * z;
-                };
-                const auto of = [&](const auto &values) { return blend(values[t.x], values[t.y], values[t.z]); };
-                const glm::dvec3 normal = of(mesh_.normals);
-                const bool unit = mesh_.setup.technique.renormalize == Renormalize::on;
-                const reference::Reflected here =
-                    reflected(of(mesh_.positions), unit ? reference::unit(normal) : normal, side);
-                const Mesh &mesh = *mesh_.mesh;
-                const glm::dvec3 base =
-                    mesh_.base.color_at(mesh.uvs.empty() ? glm::dvec2(0) : of(mesh.uvs), of(mesh.positions));
-                const glm::dvec3 tint = mesh.colors.empty() ? glm::dvec3(1) : of(mesh.colors);
-                const Material &material = mesh_.object->material;
-                const glm::dvec3 difference = glm::abs(
-                    reference::compose(material, base * tint, here) -
-                    reference::compose(material, base * tint,
-                                       {blend(a.body, b.body, c.body), blend(a.highlight, b.highlight, c.highlight)}));
-                most = std::max({most, difference.x, difference.y, difference.z});
-            }
-        }
+        at_points([&](const glm::dvec3 &w) {
+            const auto of = [&](const auto &values) { return blend(w, values[t.x], values[t.y], values[t.z]); };
+            const Mesh &mesh = *mesh_.mesh;
+            const glm::dvec3 base =
+                mesh_.base.color_at(mesh.uvs.empty() ? glm::dvec2(0) : of(mesh.uvs), of(mesh.positions));
+            const glm::dvec3 tint = mesh.colors.empty() ? glm::dvec3(1) : of(mesh.colors);
+            const Material &material = mesh_.object->material;
+            const glm::dvec3 difference =
+                glm::abs(reference::compose(material, base * tint, reflected(t, w, side)) -
+                         reference::compose(
+                             material, base * tint,
+                             {blend(w, a.body, b.body, c.body), blend(w, a.highlight, b.highlight, c.highlight)}));
+            most = std::max({most, difference.x, difference.y, difference.z});
+        });
+        return most;
+    }
+
+    double brightest_of(const glm::uvec3 &t, reference::Side side) const {
+        double most = 0;
+        at_points([&](const glm::dvec3 &w) {
+            const reference::Reflected here = reflected(t, w, side);
+            const glm::dvec3 light = glm::max(glm::abs(here.body), glm::abs(here.highlight));
+            most = std::max({most, light.x, light.y, light.z});
+        });
         return most;
     }
 
   private:
+    template <class Visit> static void at_points(const Visit &visit) {
+        constexpr int steps = 10;
+        for (int i = 0; i <= steps; ++i) {
+            for (int j = 0; i + j <= steps; ++j) {
+                visit(glm::dvec3(steps - i - j, i, j) / static_cast<double>(steps));
+            }
+        }
+    }
+    template <class T> static T blend(const glm::dvec3 &w, const T &x, const T &y, const T &z) {
+        return w.x * x + w.y * y + w.z * z;
+    }
+    reference::Reflected reflected(const glm::uvec3 &t, const glm::dvec3 &w, reference::Side side) const {
+        const glm::dvec3 normal = blend(w, mesh_.normals[t.x], mesh_.normals[t.y], mesh_.normals[t.z]);
+        const bool unit = mesh_.setup.technique.renormalize == Renormalize::on;
+        return reflected(blend(w, mesh_.positions[t.x], mesh_.positions[t.y], mesh_.positions[t.z]),
+                         unit ? reference::unit(normal) : normal, side);
+    }
     reference::Reflected reflected(const glm::dvec3 &p, const glm::dvec3 &n, reference::Side side) const {
         const reference::IsolatedPoint point(mesh_.setup, *mesh_.object, p, n, side);
         return point.reflect(reference::Terms::all, point.point_at(0, 0));
@@ -100,16 +118,16 @@ TEST(RandomCertificates, AreNeverBroken) {
         const reference::MeshScene meshes = reference::prepare_meshes(scene, loaded, technique, {64, 64});
         double worst = 0;
         for (std::size_t i = 0; i < meshes.objects.size(); ++i) {
-            const TrueDifference difference(meshes, i);
+            const TruePoints points(meshes, i);
             const auto &chosen = choice.objects[i];
             const auto &triangles = meshes.objects[i].mesh->triangles;
             lit += chosen.lit_per_vertex;
             facing += chosen.facing;
             for (std::size_t t = 0; t < triangles.size(); ++t) {
-                if (chosen.per_vertex[t] == certificate::proved) {
-                    worst = std::max(worst, difference.over(triangles[t], reference::Side::front));
+                if (chosen.shows(t) && chosen.part(t).frequency == Frequency::per_vertex) {
+                    worst = std::max(worst, points.difference_over(triangles[t], reference::Side::front));
                     if (scene.objects[i].two_sided) {
-                        worst = std::max(worst, difference.over(triangles[t], reference::Side::back));
+                        worst = std::max(worst, points.difference_over(triangles[t], reference::Side::back));
                     }
                 }
             }
@@ -133,6 +151,49 @@ TEST(RandomCertificates, AreNeverBroken) {
         slowest);
     EXPECT_LE(median, 4);
     EXPECT_GT(lit, facing / 10); // proving nothing would break nothing
+}
+
+/// Of a scene that this light alone lights; constant ambient light is no light's.
+Scene lit_by(const Scene &scene, std::size_t light, const Technique &technique) {
+    Scene lit = scene;
+    lit.ambient = glm::dvec3(0);
+    lit.lights = {scene.lights[light]};
+    lit.lights[0].ambient *= ambient_with_light(lit.lights[0], technique) ? 1 : 0;
+    return lit;
+}
+
+/// To the last bit: a program without the light draws what one with it draws.
+TEST(RandomCertificates, LightsThatAreLeftOutAddNothing) {
+    Resources resources(Assets("assets"));
+    std::size_t left_out = 0, drawn = 0;
+    for (const unsigned seed : seeds()) {
+        const Scene scene = random_scene(seed);
+        const Technique technique = bounded_technique(seed);
+        const auto loaded = resources.load(scene);
+        const certificate::Choice choice = certificate::choose(scene, loaded, technique, 1);
+        for (std::size_t light = 0; light < scene.lights.size(); ++light) {
+            const Scene lit = lit_by(scene, light, technique);
+            const reference::MeshScene meshes = reference::prepare_meshes(lit, loaded, technique, {64, 64});
+            for (std::size_t i = 0; i < meshes.objects.size(); ++i) {
+                const TruePoints points(meshes, i);
+                const auto &triangles = meshes.objects[i].mesh->triangles;
+                const auto &chosen = choice.objects[i];
+                for (std::size_t t = 0; t < triangles.size(); ++t) {
+                    ++drawn;
+                    if (chosen.shows(t) && (chosen.part(t).lights >> light & 1) == 0) {
+                        ++left_out;
+                        ASSERT_EQ(points.brightest_of(triangles[t], reference::Side::front), 0) << "seed " << seed;
+                        if (scene.objects[i].two_sided) {
+                            ASSERT_EQ(points.brightest_of(triangles[t], reference::Side::back), 0) << "seed " << seed;
+                        }
+                    }
+                }
+            }
+        }
+    }
+    std::printf("%.1f %% of triangles times lights left out\n",
+                100.0 * static_cast<double>(left_out) / static_cast<double>(drawn));
+    EXPECT_GT(left_out, drawn / 20); // leaving out nothing would break nothing
 }
 
 /// A constant half vector that is 0 leaves N.N in place of N.H: a highlight that no bound of N.H knows.
