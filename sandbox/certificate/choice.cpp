@@ -189,7 +189,7 @@ struct Proof {
     std::vector<LightSet> seen;               ///< one per triangle: no other light adds anything to it
     std::array<AreaOfLights, 2> area_of_seen; ///< in each of the two parts
 };
-constexpr std::uint8_t per_pixel = 0, per_vertex = 1; // its first two parts
+constexpr std::uint8_t per_vertex = 0, per_pixel = 1; // its first two parts
 Proof prove(const Scene &scene, const Technique &technique, const Object &object, const ObjectResources &own,
             double tolerance, bool hides_backs) {
     const Mesh &mesh = *own.mesh;
@@ -199,7 +199,7 @@ Proof prove(const Scene &scene, const Technique &technique, const Object &object
     const bool mirrored = is_mirrored(object.transform);
     const bool unproved = may_lose_half_vector(bounded);
     Proof proof;
-    proof.choice.parts.push_back({Frequency::per_vertex});
+    proof.choice.parts.insert(proof.choice.parts.begin(), {Frequency::per_vertex});
     for (const BoundLight &light : bounded.lights) {
         proof.lights |= LightSet{1} << light.index;
     }
@@ -251,15 +251,13 @@ void give_up_vertices(Proof &proof) {
 void leave_out_lights(Proof &proof) {
     const double least = least_saved * proof.choice.area * std::popcount(proof.lights);
     const LightGroups groups = group_by_lights(proof.area_of_seen[per_pixel], least, most_light_groups);
-    const std::size_t others = proof.choice.parts.size() - 1; // the first group is the part that all were in
     proof.choice.parts[per_pixel].lights = groups.lights[0];
     for (std::size_t group = 1; group < groups.lights.size(); ++group) {
         proof.choice.parts.push_back({Frequency::per_pixel, groups.lights[group]});
     }
     for (std::size_t t = 0; t < proof.seen.size(); ++t) {
         if (std::uint8_t &part = proof.choice.part_of[t]; part == per_pixel) {
-            const std::size_t group = groups.group_of.at(proof.seen[t]);
-            part = static_cast<std::uint8_t>(group == 0 ? per_pixel : others + group);
+            part = static_cast<std::uint8_t>(per_pixel + groups.group_of.at(proof.seen[t]));
         }
     }
 }
@@ -267,7 +265,7 @@ void leave_out_lights(Proof &proof) {
 /// Nothing is split: one draw of all triangles.
 ObjectChoice whole(ObjectChoice choice, const Mesh &mesh) {
     choice.parts.assign(1, {});
-    choice.part_of.assign(mesh.triangles.size(), per_pixel);
+    choice.part_of.assign(mesh.triangles.size(), 0);
     return choice;
 }
 

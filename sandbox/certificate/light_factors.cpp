@@ -128,12 +128,13 @@ template <class Dot> bool Lighting<Dot>::outside_cone(const BoundLight &light) c
 template <class Dot> Factor<typename Dot::Number> Lighting<Dot>::cone(const BoundLight &light) const {
     const Number c = cone_cosine(light);
     const Interval &range = value_of(c);
-    if (range.hi < light.cos_outer - branch_width) {
+    const double width = branch_width * spread(light);
+    if (range.hi < light.cos_outer - width) {
         return {};
     }
     const auto raised = power(range, light.cone_exponent);
     const Interval most{0, raised ? raised->value.hi : 1};
-    if (range.lo > light.cos_inner + branch_width) {
+    if (range.lo > light.cos_inner + width) {
         return composed(raised, c, most);
     }
     const bool soft = light.cos_inner - light.cos_outer > narrowest_edge;

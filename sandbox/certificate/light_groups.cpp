@@ -1,78 +1,76 @@
 #include "certificate/light_groups.h"
 
+#include "image/thread.h"
+
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <utility>
 
 namespace sandbox::certificate {
 namespace {
 
-struct Group {
-    AreaOfLights seen;
-    LightSet lights = 0;
+/// Of some triangles.
+struct Reach {
+    LightSet lights = 0; ///< that any of them sees
     double area = 0;
 
-    void add(const std::pair<const LightSet, double> &triangles) {
-        seen.insert(triangles);
-        lights |= triangles.first;
-        area += triangles.second;
+    void add(LightSet seen, double of_area) {
+        lights |= seen;
+        area += of_area;
     }
     [[nodiscard]] double cost() const { return area * std::popcount(lights); }
 };
 
-/// Without the light, and with it.
-std::pair<Group, Group> divided(const Group &group, LightSet light) {
-    std::pair<Group, Group> halves;
-    for (const auto &triangles : group.seen) {
-        ((triangles.first & light) == 0 ? halves.first : halves.second).add(triangles);
-    }
-    return halves;
-}
+using Triangles = std::vector<std::pair<LightSet, double>>; ///< the lights they see, their area
+struct Group {
+    Triangles triangles;
+    Reach reach;
+    LightSet divider = 0; ///< the light that divides it best
+    double saved = 0;     ///< by that
 
-/// The best division of a group, and what it saves.
-struct Division {
-    std::size_t group = 0;
-    LightSet light = 0;
-    double saved = 0;
-};
-Division best_division(const Group &group) {
-    Division best;
-    for (LightSet left = group.lights; left != 0; left &= left - 1) {
-        const LightSet light = left & (~left + 1); // its lowest bit
-        const auto [without, with] = divided(group, light);
-        if (const double saved = group.cost() - without.cost() - with.cost(); saved > best.saved) {
-            best = {0, light, saved};
+    explicit Group(Triangles of) : triangles(std::move(of)) {
+        for (const auto &[seen, area] : triangles) {
+            reach.add(seen, area);
+        }
+        for (LightSet left = reach.lights; left != 0; left &= left - 1) {
+            let_others_run();
+            const LightSet light = left & (~left + 1); // its lowest bit
+            std::array<Reach, 2> halves;
+            for (const auto &[seen, area] : triangles) {
+                halves[(seen & light) != 0 ? 1 : 0].add(seen, area);
+            }
+            if (const double by_light = reach.cost() - halves[0].cost() - halves[1].cost(); by_light > saved) {
+                divider = light;
+                saved = by_light;
+            }
         }
     }
-    return best;
-}
+};
 
 } // namespace
 
 LightGroups group_by_lights(const AreaOfLights &areas, double least_saved, std::size_t most) {
-    std::vector<Group> groups(1);
-    for (const auto &triangles : areas) {
-        groups[0].add(triangles);
-    }
+    std::vector<Group> groups{Group(Triangles(areas.begin(), areas.end()))};
     while (groups.size() < most) {
-        Division best;
-        for (std::size_t i = 0; i < groups.size(); ++i) {
-            if (const Division own = best_division(groups[i]); own.saved > best.saved) {
-                best = {i, own.light, own.saved};
-            }
-        }
-        if (best.saved <= least_saved) {
+        const auto best = std::ranges::max_element(groups, {}, &Group::saved);
+        if (best->saved <= least_saved) {
             break;
         }
-        auto [without, with] = divided(groups[best.group], best.light);
-        groups[best.group] = std::move(without);
-        groups.push_back(std::move(with));
+        Triangles all = std::move(best->triangles);
+        const auto with =
+            std::ranges::partition(all, [&](const auto &seen) { return (seen.first & best->divider) == 0; });
+        Triangles seeing(with.begin(), with.end());
+        all.erase(with.begin(), with.end());
+        *best = Group(std::move(all));
+        groups.emplace_back(std::move(seeing));
     }
     LightGroups result;
     for (const Group &group : groups) {
-        for (const auto &[seen, area] : group.seen) {
+        for (const auto &[seen, area] : group.triangles) {
             result.group_of[seen] = result.lights.size();
         }
-        result.lights.push_back(group.lights);
+        result.lights.push_back(group.reach.lights);
     }
     return result;
 }

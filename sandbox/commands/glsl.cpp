@@ -67,7 +67,7 @@ int run_glsl(const GlslFlags &flags, const CommonOptions &common) {
     note_other_programs(scene, objects, chosen);
     note_no_effect(scene, technique);
     if (technique.frequency == Frequency::automatic) {
-        note("this is what is lit per pixel; the rest has the program of " +
+        note("this is what is lit per pixel by every light; the rest has the program of " +
              to_string(part_of_auto(technique, Frequency::per_vertex)));
     }
     if (flags.stage.empty()) {

@@ -162,7 +162,7 @@ Scene lit_by(const Scene &scene, std::size_t light, const Technique &technique) 
     return lit;
 }
 
-/// To the last bit: a program without the light draws what one with it draws.
+/// Nothing at all, in double: so no bound has to allow for it.
 TEST(RandomCertificates, LightsThatAreLeftOutAddNothing) {
     Resources resources(Assets("assets"));
     std::size_t left_out = 0, drawn = 0;
