@@ -95,6 +95,7 @@ BackgroundRenderer::Turn::~Turn() {
 }
 
 void BackgroundRenderer::Turn::let_others_draw() {
+    let_others_run();
     if (shared_.waiting() == 0) {
         return;
     }

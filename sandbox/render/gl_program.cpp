@@ -24,17 +24,21 @@ std::string info_log(unsigned id, GetParameter get_parameter, GetLog get_log) {
     return log;
 }
 
+/// Nothing is asked yet: a driver may compile several stages aside.
 ShaderObject compile(GLenum stage, const StageSource &source) {
     ShaderObject shader = make_shader(stage);
     const char *text = source.text.c_str();
     glShaderSource(shader.id(), 1, &text, nullptr);
     glCompileShader(shader.id());
+    return shader;
+}
+
+void require_compiled(const ShaderObject &shader, const StageSource &source) {
     GLint compiled = GL_FALSE;
     glGetShaderiv(shader.id(), GL_COMPILE_STATUS, &compiled);
     if (compiled != GL_TRUE) {
         throw ShaderError(map_log(info_log(shader.id(), glGetShaderiv, glGetShaderInfoLog), source));
     }
-    return shader;
 }
 
 /// Before a driver says so in its own words, or not at all.
@@ -81,21 +85,28 @@ std::map<std::string, int, std::less<>> active_uniforms(unsigned program) {
 
 void require_es(const ProgramSource &source) {
     if (!is_es() && has_gl_extension("GL_ARB_ES3_compatibility")) {
-        compile(GL_VERTEX_SHADER, in_es(source.vertex));
-        compile(GL_FRAGMENT_SHADER, in_es(source.fragment));
+        for (const auto &[stage, text] :
+             {std::pair{GLenum{GL_VERTEX_SHADER}, &source.vertex}, {GL_FRAGMENT_SHADER, &source.fragment}}) {
+            const StageSource es = in_es(*text);
+            require_compiled(compile(stage, es), es);
+        }
     }
 }
 
 GlProgram::GlProgram(const ProgramSource &source) : program_(make_program()) {
     check_uniform_room(source);
-    const ShaderObject vertex = compile(GL_VERTEX_SHADER, is_es() ? in_es(source.vertex) : source.vertex);
-    const ShaderObject fragment = compile(GL_FRAGMENT_SHADER, is_es() ? in_es(source.fragment) : source.fragment);
+    const ProgramSource given = is_es() ? ProgramSource{in_es(source.vertex), in_es(source.fragment)} : source;
+    const ShaderObject vertex = compile(GL_VERTEX_SHADER, given.vertex);
+    const ShaderObject fragment = compile(GL_FRAGMENT_SHADER, given.fragment);
     glAttachShader(id(), vertex.id());
     glAttachShader(id(), fragment.id());
     glLinkProgram(id());
+    let_driver_catch_up();
     GLint linked = GL_FALSE;
     glGetProgramiv(id(), GL_LINK_STATUS, &linked);
     if (linked != GL_TRUE) {
+        require_compiled(vertex, given.vertex);
+        require_compiled(fragment, given.fragment);
         throw ShaderError("link: " + info_log(id(), glGetProgramiv, glGetProgramInfoLog));
     }
     glDetachShader(id(), vertex.id());

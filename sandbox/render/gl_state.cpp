@@ -43,6 +43,17 @@ bool is_es() { return true; }
 bool is_es() { return GLAD_GL_ES_VERSION_3_0 != 0; }
 #endif
 
+void let_driver_catch_up() {
+#ifdef __EMSCRIPTEN__
+    const GLsync fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    glFlush();
+    while (can_suspend() && glClientWaitSync(fence, 0, 0) == GL_TIMEOUT_EXPIRED) {
+        suspend();
+    }
+    glDeleteSync(fence);
+#endif
+}
+
 /// A browser's glFinish() waits for nothing, so a pixel is read there: of this framebuffer, since a driver may put off
 /// the rest.
 void finish_drawing([[maybe_unused]] unsigned framebuffer, [[maybe_unused]] unsigned type) {
@@ -60,14 +71,7 @@ void finish_drawing([[maybe_unused]] unsigned framebuffer, [[maybe_unused]] unsi
 }
 
 void finish_drawing_in_turns(unsigned framebuffer, unsigned type) {
-#ifdef __EMSCRIPTEN__
-    const GLsync fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-    glFlush();
-    while (can_suspend() && glClientWaitSync(fence, 0, 0) == GL_TIMEOUT_EXPIRED) {
-        suspend();
-    }
-    glDeleteSync(fence);
-#endif
+    let_driver_catch_up();
     finish_drawing(framebuffer, type);
 }
 
@@ -88,6 +92,7 @@ bool has_gl_extension(std::string_view name) {
 }
 
 void check_gl(std::string_view action) {
+    let_driver_catch_up();
     const GLenum error = glGetError();
     if (error != GL_NO_ERROR) {
         throw MachineError("OpenGL cannot {}: {}", action,

@@ -23,6 +23,8 @@ class PassState {
 
 /// Whether the current context is OpenGL ES.
 bool is_es();
+/// Before the driver is asked something: in a page all else has its turns until it can answer at once.
+void let_driver_catch_up();
 /// Waits until all that was drawn into `framebuffer` is done. `type`: of its colours, GL_FLOAT or GL_UNSIGNED_BYTE.
 void finish_drawing(unsigned framebuffer, unsigned type);
 /// Likewise for what nobody times: all else in a page has its turns meanwhile.

@@ -27,6 +27,7 @@ namespace sandbox {
 namespace {
 
 Texture upload_texture(const Image &image) {
+    let_driver_catch_up(); // a browser waits with pixels until there is room for them
     Texture texture = make_texture();
     glBindTexture(GL_TEXTURE_2D, texture.id());
     std::vector<glm::vec4> bottom_first;
@@ -131,7 +132,7 @@ struct Renderer::Impl {
         require_drawable(draw.prepared.features, draw.object);
         const GlProgram &program = programs.get(draw.prepared.program, constants(draw));
         glUseProgram(program.id());
-        if (!program.uniforms().empty()) { // a baked program has none
+        if (!program.uniforms().empty()) { // a baked program may have none
             upload_uniforms(program, draw);
         }
         // Without a texture nothing is bound: WebGL refuses what was, the target itself say.
