@@ -12,6 +12,9 @@
 #include <new>
 #include <span>
 #include <sstream>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace {
 
@@ -97,7 +100,16 @@ int parse_and_run(int argc, char **argv) {
     }
 }
 
+/// At the end of a frame a software renderer frees what it took: glibc would give those pages back to the system, and
+/// fetch them again for the next.
+void keep_pages_between_frames() {
+#ifdef __GLIBC__
+    mallopt(M_TRIM_THRESHOLD, 8 << 20);
+#endif
+}
+
 int run_program(int argc, char **argv) {
+    keep_pages_between_frames();
     try {
         return parse_and_run(argc, argv);
     } catch (const sandbox::InputError &error) {
