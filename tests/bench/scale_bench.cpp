@@ -72,7 +72,8 @@ Quartiles frame_time(Renderer &renderer, const Scene &scene, const char *techniq
     return quartiles(times);
 }
 
-constexpr const char *per_vertex = "per-vertex/blinn-phong", *per_pixel = "per-pixel/blinn-phong";
+constexpr const char *per_vertex = "per-vertex/blinn-phong", *per_pixel = "per-pixel/blinn-phong",
+                     *automatic = "auto/blinn-phong";
 
 Scene with_lights(int count) {
     Scene scene = three_lights_on_a_sphere();
@@ -95,11 +96,12 @@ int main(int argc, char **argv) {
     std::printf("%s, %d frames a row, milliseconds [quartiles]\n", context->renderer().c_str(), frames);
     Renderer renderer(Assets("assets"), ShaderParts(Assets("shaders")));
 
-    Table lights("lights", {per_vertex, per_pixel});
+    Table lights("lights", {per_vertex, per_pixel, automatic});
     for (int count = 1; count <= 64; count *= 2) {
         const Scene scene = with_lights(count);
         lights.row(count, {frame_time(renderer, scene, per_vertex, {800, 600}, frames),
-                           frame_time(renderer, scene, per_pixel, {800, 600}, frames)});
+                           frame_time(renderer, scene, per_pixel, {800, 600}, frames),
+                           frame_time(renderer, scene, automatic, {800, 600}, frames)});
     }
     Table pixels("pixels", {per_vertex, per_pixel});
     for (const Size size : {Size{480, 270}, Size{960, 540}, Size{1920, 1080}, Size{3840, 2160}}) {
@@ -108,7 +110,7 @@ int main(int argc, char **argv) {
                    {frame_time(renderer, scene, per_vertex, size, frames),
                     frame_time(renderer, scene, per_pixel, size, frames)});
     }
-    Table triangles("triangles", {"build and first frame", per_vertex, per_pixel});
+    Table triangles("triangles", {"build and first frame", per_vertex, per_pixel, automatic});
     for (const int rings : {16, 50, 158, 500, 1581}) {
         if (rings > most_rings) {
             break;
@@ -126,7 +128,8 @@ int main(int argc, char **argv) {
         }
         triangles.row(4.0 * rings * (rings - 1),
                       {quartiles(openings), frame_time(renderer, scene, per_vertex, {800, 600}, frames),
-                       frame_time(renderer, scene, per_pixel, {800, 600}, frames)});
+                       frame_time(renderer, scene, per_pixel, {800, 600}, frames),
+                       frame_time(renderer, scene, automatic, {800, 600}, frames)});
     }
     return 0;
 }
