@@ -93,9 +93,10 @@ def main():
             for side in pair:
                 side.end()
         print("from a process's start to its first finished frame:")
-        starts = [(lambda _, command=command: start_time(command, _))
-                  for command in (ours("per-pixel/blinn-phong", "display"), theirs("lean/per-pixel/bytes"))]
-        report("per-pixel/blinn-phong, display", "lean/per-pixel/bytes", take_turns(starts, turns, frames))
+        for technique in ("per-pixel/blinn-phong", "per-pixel/blinn-phong:program=baked"):
+            starts = [(lambda _, command=command: start_time(command, _))
+                      for command in (ours(technique, "display"), theirs("lean/per-pixel/bytes"))]
+            report(f"{technique}, display", "lean/per-pixel/bytes", take_turns(starts, turns, frames))
 
 
 if __name__ == "__main__":
