@@ -130,9 +130,10 @@ IsolatedPoint centroid(const Setup &setup, const MeshObject &object, const glm::
 
 Frequency MeshObject::frequency(std::size_t triangle) const {
     const Frequency asked = setup.technique.frequency;
-    return asked == Frequency::automatic && chosen.shows(triangle) ? chosen.part(triangle).frequency
-           : asked == Frequency::automatic                         ? Frequency::per_pixel
-                                                                   : asked;
+    if (asked != Frequency::automatic) {
+        return asked;
+    }
+    return chosen.shows(triangle) ? chosen.part(triangle).frequency : Frequency::per_pixel;
 }
 
 MeshScene prepare_meshes(const Scene &scene, const std::vector<ObjectResources> &resources, const Technique &technique,

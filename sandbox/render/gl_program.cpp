@@ -85,11 +85,9 @@ std::map<std::string, int, std::less<>> active_uniforms(unsigned program) {
 
 void require_es(const ProgramSource &source) {
     if (!is_es() && has_gl_extension("GL_ARB_ES3_compatibility")) {
-        for (const auto &[stage, text] :
-             {std::pair{GLenum{GL_VERTEX_SHADER}, &source.vertex}, {GL_FRAGMENT_SHADER, &source.fragment}}) {
-            const StageSource es = in_es(*text);
-            require_compiled(compile(stage, es), es);
-        }
+        const ProgramSource es{in_es(source.vertex), in_es(source.fragment)};
+        require_compiled(compile(GL_VERTEX_SHADER, es.vertex), es.vertex);
+        require_compiled(compile(GL_FRAGMENT_SHADER, es.fragment), es.fragment);
     }
 }
 

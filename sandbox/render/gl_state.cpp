@@ -45,9 +45,12 @@ bool is_es() { return GLAD_GL_ES_VERSION_3_0 != 0; }
 
 void let_driver_catch_up() {
 #ifdef __EMSCRIPTEN__
+    if (!can_suspend()) {
+        return;
+    }
     const GLsync fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
     glFlush();
-    while (can_suspend() && glClientWaitSync(fence, 0, 0) == GL_TIMEOUT_EXPIRED) {
+    while (glClientWaitSync(fence, 0, 0) == GL_TIMEOUT_EXPIRED) {
         suspend();
     }
     glDeleteSync(fence);
