@@ -78,10 +78,10 @@ int parse_and_run(int argc, char **argv) {
     Run run;
     add_commands(app, common, run);
     add_common_options(app, common);
-    app.footer(help_footer()); // last, or every command would inherit it
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError &end) {
+        app.footer(help_footer());
         return end_of_parsing(app, common, end);
     }
     if (app.get_subcommands().empty()) {

@@ -380,8 +380,7 @@ int run_capture(const CaptureFlags &typed, const CommonOptions &common) {
 
 } // namespace
 
-void add_capture(CLI::App &app, CommonOptions &common, Run &run) {
-    CLI::App &command = *app.add_subcommand("capture", "Draw a scene into a picture file, without a window");
+void add_capture_options(CLI::App &command, CommonOptions &common, Run &run) {
     const auto flags = std::make_shared<CaptureFlags>();
     add_scene(command, flags->scene, "Built-in name, or path of a .json, sidecar or .obj file");
     add_value(command, "--out", "FILE", flags->out,

@@ -8,18 +8,54 @@
 
 namespace sandbox {
 
-/// Adds one subcommand: its options, its help and, when it is chosen, what to run. Each is defined in the file of the
-/// command's name.
-using AddCommand = void(CLI::App &app, CommonOptions &common, Run &run);
-AddCommand add_list, add_capture, add_reference, add_compare, add_time, add_report, add_stability, add_lesson,
-    add_figures, add_own, add_own_server, add_diagnose, add_mark, add_glsl, add_view;
+/// Adds a command's options and its help, and what to run. Each is defined in the file of the command's name.
+using AddOptions = void(CLI::App &command, CommonOptions &common, Run &run);
+AddOptions add_list_options, add_capture_options, add_reference_options, add_compare_options, add_time_options,
+    add_report_options, add_stability_options, add_lesson_options, add_figures_options, add_own_options,
+    add_own_server_options, add_diagnose_options, add_mark_options, add_glsl_options, add_view_options;
+AddOptions add_window; ///< to the program itself: without a command, SCENE opens in the window
 
+struct Command {
+    const char *name;
+    const char *description; ///< empty: not listed, for other commands start it
+    AddOptions *add_options;
+};
+
+constexpr Command commands[] = {
+    {"list", "List built-in scenes, lessons, famous bugs, exercises, techniques and stability cases", add_list_options},
+    {"capture", "Draw a scene into a picture file, without a window", add_capture_options},
+    {"reference", "Draw a scene in double precision, on the CPU", add_reference_options},
+    {"compare", "Measure how far one picture of a scene is from another", add_compare_options},
+    {"time", "Time finished frames; prints JSON lines", add_time_options},
+    {"report", "Measure error against run time: report.html, report.json, report.csv", add_report_options},
+    {"stability", "Run the stiff and extreme cases: stability.html, stability.json, stability.csv",
+     add_stability_options},
+    {"lesson", "Measure the claims of a lesson, and write it as a page", add_lesson_options},
+    {"figures", "Draw, measure and caption the figures of a hand-in: index.md, PNG and SVG files", add_figures_options},
+    {"own", "Print a file of own shading: one to begin with, or the answer", add_own_options},
+    {"own-server", "", add_own_server_options},
+    {"diagnose", "Say what a picture of a scene is: technique, faults, conventions", add_diagnose_options},
+    {"mark", "Give points to answers to an exercise, term by term", add_mark_options},
+    {"glsl", "Print the GLSL program that draws a scene with a technique", add_glsl_options},
+    {"view", "Open the window (the default without a command)", add_view_options},
+};
+
+/// A command's options are added when its name was read: no process describes fourteen commands that it does not run.
 void add_commands(CLI::App &app, CommonOptions &common, Run &run) {
-    for (AddCommand *add :
-         {add_list, add_capture, add_reference, add_compare, add_time, add_report, add_stability, add_lesson,
-          add_figures, add_own, add_own_server, add_diagnose, add_mark, add_glsl, add_view}) {
-        add(app, common, run);
+    for (const Command &row : commands) {
+        CLI::App &command = *app.add_subcommand(row.name, row.description);
+        if (command.get_description().empty()) {
+            command.group("");
+        }
+        command.preparse_callback([&, add_options = row.add_options](std::size_t) {
+            add_options(command, common, run);
+            add_common_options(command, common);
+            const std::string footer = command.get_footer();
+            command.footer(footer + (footer.empty() ? "" : "\n") +
+                           "shading-sandbox --help explains SCENE, techniques and exit codes.");
+        });
     }
+    add_window(app, common, run);
 }
 
 std::string help_footer() {
@@ -95,9 +131,6 @@ void add_common_options(CLI::App &command, CommonOptions &common) {
                fmt::format("OpenGL 3.3 core, or ES 3.0 as browsers have it [{}]",
                            default_profile == Profile::es ? "es" : "core"));
     command.add_flag("-v", common.verbose, "Report the renderer, programs built and times on standard error");
-    const std::string footer = command.get_footer();
-    command.footer(footer + (footer.empty() ? "" : "\n") +
-                   "shading-sandbox --help explains SCENE, techniques and exit codes.");
 }
 
 } // namespace sandbox

@@ -51,11 +51,10 @@ CLI::Option *add_choice(CLI::App &command, const std::string &option, const std:
 /// --lang en|zh.
 CLI::Option *add_language(CLI::App &command, std::string &language, const std::string &description);
 
-/// Ends the description of a subcommand: adds the common options, and has `work` run if the command is chosen.
+/// Has `work` run after the command's options are read.
 template <typename Flags>
 void run_when_chosen(CLI::App &command, CommonOptions &common, Run &run, std::shared_ptr<Flags> flags,
                      int (*work)(const Flags &, const CommonOptions &)) {
-    add_common_options(command, common);
     command.callback([=, &common, &run] { run = [=, &common] { return work(*flags, common); }; });
 }
 

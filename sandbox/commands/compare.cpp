@@ -207,8 +207,7 @@ int run_compare(const CompareFlags &flags, const CommonOptions &common) {
 
 } // namespace
 
-void add_compare(CLI::App &app, CommonOptions &common, Run &run) {
-    CLI::App &command = *app.add_subcommand("compare", "Measure how far one picture of a scene is from another");
+void add_compare_options(CLI::App &command, CommonOptions &common, Run &run) {
     const auto flags = std::make_shared<CompareFlags>();
     add_scene(command, flags->scene);
     add_value(command, "--left", "T", flags->left, "Technique to judge")->required();

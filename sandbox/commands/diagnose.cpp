@@ -108,9 +108,7 @@ int run_diagnose(const DiagnoseFlags &flags, const CommonOptions &common) {
 
 } // namespace
 
-void add_diagnose(CLI::App &app, CommonOptions &common, Run &run) {
-    CLI::App &command =
-        *app.add_subcommand("diagnose", "Say what a picture of a scene is: technique, faults, conventions");
+void add_diagnose_options(CLI::App &command, CommonOptions &common, Run &run) {
     const auto flags = std::make_shared<DiagnoseFlags>();
     add_scene(command, flags->scene);
     add_value(command, "PICTURE", "", flags->picture,

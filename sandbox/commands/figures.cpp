@@ -105,9 +105,7 @@ int run_figures(const FiguresFlags &flags, const CommonOptions &common) {
 
 } // namespace
 
-void add_figures(CLI::App &app, CommonOptions &common, Run &run) {
-    CLI::App &command = *app.add_subcommand(
-        "figures", "Draw, measure and caption the figures of a hand-in: index.md, PNG and SVG files");
+void add_figures_options(CLI::App &command, CommonOptions &common, Run &run) {
     const auto flags = std::make_shared<FiguresFlags>();
     add_scene(command, flags->scene, "Built-in name, or path of a .json, sidecar or .obj file");
     add_value(command, "--out", "DIR", flags->out, "Folder for the files; made if it does not exist")->required();

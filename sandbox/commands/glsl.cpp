@@ -81,8 +81,7 @@ int run_glsl(const GlslFlags &flags, const CommonOptions &common) {
 
 } // namespace
 
-void add_glsl(CLI::App &app, CommonOptions &common, Run &run) {
-    CLI::App &command = *app.add_subcommand("glsl", "Print the GLSL program that draws a scene with a technique");
+void add_glsl_options(CLI::App &command, CommonOptions &common, Run &run) {
     const auto flags = std::make_shared<GlslFlags>();
     add_scene(command, flags->scene);
     add_value(command, "--technique", "T", flags->technique,

@@ -87,8 +87,7 @@ int run_lesson(const LessonFlags &flags, const CommonOptions &common) {
 
 } // namespace
 
-void add_lesson(CLI::App &app, CommonOptions &common, Run &run) {
-    CLI::App &command = *app.add_subcommand("lesson", "Measure the claims of a lesson, and write it as a page");
+void add_lesson_options(CLI::App &command, CommonOptions &common, Run &run) {
     const auto flags = std::make_shared<LessonFlags>();
     add_value(command, "NAME", "", flags->lesson,
               "Built-in lesson or bug (see: list), path of a .json file, all lessons (all), or all bugs (gallery)")

@@ -131,9 +131,7 @@ int run_list(const ListFlags &flags, const CommonOptions &common) {
 
 } // namespace
 
-void add_list(CLI::App &app, CommonOptions &common, Run &run) {
-    CLI::App &command = *app.add_subcommand(
-        "list", "List built-in scenes, lessons, famous bugs, exercises, techniques and stability cases");
+void add_list_options(CLI::App &command, CommonOptions &common, Run &run) {
     const auto flags = std::make_shared<ListFlags>();
     command.add_flag("--json", flags->json, "Print JSON");
     run_when_chosen(command, common, run, flags, run_list);

@@ -144,8 +144,7 @@ int run_mark(const MarkFlags &flags, const CommonOptions &common) {
 
 } // namespace
 
-void add_mark(CLI::App &app, CommonOptions &common, Run &run) {
-    CLI::App &command = *app.add_subcommand("mark", "Give points to answers to an exercise, term by term");
+void add_mark_options(CLI::App &command, CommonOptions &common, Run &run) {
     const auto flags = std::make_shared<MarkFlags>();
     add_value(command, "EXERCISE", "", flags->exercise, "Built-in exercise (see: list), or path of a .json file")
         ->required();

@@ -53,8 +53,7 @@ int run_own(const OwnCommandFlags &flags, const CommonOptions &common) {
 
 } // namespace
 
-void add_own(CLI::App &app, CommonOptions &common, Run &run) {
-    CLI::App &command = *app.add_subcommand("own", "Print a file of own shading: one to begin with, or the answer");
+void add_own_options(CLI::App &command, CommonOptions &common, Run &run) {
     const auto flags = std::make_shared<OwnCommandFlags>();
     add_value(command, "SCENE", "", flags->scene, "Built-in name or path: write only what this scene needs");
     command.add_flag("--starter", flags->starter, "A file to begin with: the interface as comments, and an empty body");

@@ -18,10 +18,8 @@ int run_own_server(const OwnServerFlags & /*none*/, const CommonOptions &common)
 
 } // namespace
 
-/// Not listed: other commands start it (see OwnProcess).
-void add_own_server(CLI::App &app, CommonOptions &common, Run &run) {
-    CLI::App &command = *app.add_subcommand("own-server", "Draws own shading for another process");
-    command.group("");
+/// Other commands start it (see OwnProcess).
+void add_own_server_options(CLI::App &command, CommonOptions &common, Run &run) {
     run_when_chosen(command, common, run, std::make_shared<OwnServerFlags>(), run_own_server);
 }
 

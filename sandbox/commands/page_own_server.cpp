@@ -2,6 +2,6 @@
 
 namespace sandbox {
 
-void add_own_server(CLI::App &, CommonOptions &, Run &) {} // a page starts no process
+void add_own_server_options(CLI::App &, CommonOptions &, Run &) {} // a page starts no process
 
 } // namespace sandbox

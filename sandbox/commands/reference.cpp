@@ -39,8 +39,7 @@ int run_reference(const ReferenceFlags &flags, const CommonOptions &common) {
 
 } // namespace
 
-void add_reference(CLI::App &app, CommonOptions &common, Run &run) {
-    CLI::App &command = *app.add_subcommand("reference", "Draw a scene in double precision, on the CPU");
+void add_reference_options(CLI::App &command, CommonOptions &common, Run &run) {
     const auto flags = std::make_shared<ReferenceFlags>();
     add_scene(command, flags->scene);
     add_value(command, "--out", "FILE", flags->out, "FILE.png (8 bit) or FILE.pfm (linear RGB in float32)")->required();

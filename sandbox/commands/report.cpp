@@ -116,9 +116,7 @@ int run_report(const ReportFlags &flags, const CommonOptions &common) {
 
 } // namespace
 
-void add_report(CLI::App &app, CommonOptions &common, Run &run) {
-    CLI::App &command =
-        *app.add_subcommand("report", "Measure error against run time: report.html, report.json, report.csv");
+void add_report_options(CLI::App &command, CommonOptions &common, Run &run) {
     const auto flags = std::make_shared<ReportFlags>();
     add_value(command, "SCENE", "", flags->scene, "Built-in name, or path of a .json or .obj file");
     add_value(command, "--out", "DIR", flags->out, "Folder for the three files; made if it does not exist")->required();

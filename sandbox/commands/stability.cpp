@@ -50,9 +50,7 @@ int run_stability(const StabilityFlags &flags, const CommonOptions &common) {
 
 } // namespace
 
-void add_stability(CLI::App &app, CommonOptions &common, Run &run) {
-    CLI::App &command = *app.add_subcommand(
-        "stability", "Run the stiff and extreme cases: stability.html, stability.json, stability.csv");
+void add_stability_options(CLI::App &command, CommonOptions &common, Run &run) {
     const auto flags = std::make_shared<StabilityFlags>();
     add_value(command, "--out", "DIR", flags->out, "Folder for the three files; made if it does not exist")->required();
     add_value(command, "--case", "NAME|FILE.json", flags->chosen,

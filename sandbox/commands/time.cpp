@@ -128,8 +128,7 @@ int run_time(const TimeFlags &flags, const CommonOptions &common) {
 
 } // namespace
 
-void add_time(CLI::App &app, CommonOptions &common, Run &run) {
-    CLI::App &command = *app.add_subcommand("time", "Time finished frames; prints JSON lines");
+void add_time_options(CLI::App &command, CommonOptions &common, Run &run) {
     const auto flags = std::make_shared<TimeFlags>();
     add_scene(command, flags->scene);
     add_value(command, "--technique", "T", flags->technique, "Technique to time [per-pixel/blinn-phong]");

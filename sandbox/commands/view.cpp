@@ -77,11 +77,14 @@ int run_view(const ViewFlags &flags, const CommonOptions &common) {
 
 } // namespace
 
-void add_view(CLI::App &app, CommonOptions &common, Run &run) {
+void add_window(CLI::App &app, CommonOptions &common, Run &run) {
     const auto flags = std::make_shared<ViewFlags>();
     add_value(app, "SCENE", "", flags->scene, "Without a command: the scene to open in the window");
     run = [flags, &common] { return run_view(*flags, common); };
-    CLI::App &command = *app.add_subcommand("view", "Open the window (the default without a command)");
+}
+
+void add_view_options(CLI::App &command, CommonOptions &common, Run &run) {
+    const auto flags = std::make_shared<ViewFlags>();
     add_value(command, "SCENE", "", flags->scene, "Built-in name, or path of a .json, sidecar, lesson or .obj file")
         ->capture_default_str();
     add_value(command, "--left", "T", flags->left,
