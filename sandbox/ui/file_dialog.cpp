@@ -3,6 +3,7 @@
 #include "ui/desktop.h"
 #include "ui/jobs/background_job.h"
 #include "ui/jobs/drawing_job.h"
+#include "ui/widgets/gui_keys.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -94,8 +95,7 @@ void FileDialog::draw_fields(Session &session, const std::vector<std::string> &r
     }
     const bool done = button(session, session.label(purpose_ == Purpose::save ? "file.save" : "file.open"), "");
     ImGui::SameLine();
-    const bool cancelled =
-        button(session, session.label("cancel"), "") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
+    const bool cancelled = button(session, session.label("cancel"), "") || is_gui_key_pressed(ImGuiKey_Escape);
     if (!command_.empty()) {
         ImGui::SameLine();
         ImGui::BeginDisabled(job_ != nullptr);

@@ -23,28 +23,38 @@ int layout_key(int key, int scancode) {
     return c >= 'a' && c <= 'z' ? GLFW_KEY_A + (c - 'a') : c >= '!' && c <= '`' ? c : key;
 }
 
-Arrivals &arrivals_of(GLFWwindow *window) {
-    auto &arrivals = *static_cast<Arrivals *>(glfwGetWindowUserPointer(window));
-    arrivals.any = true;
-    return arrivals;
+GlfwInput &input_of(GLFWwindow *window) {
+    auto &input = *static_cast<GlfwInput *>(glfwGetWindowUserPointer(window));
+    input.arrivals.any = true;
+    return input;
 }
 
 void on_key(GLFWwindow *window, int key, int scancode, int action, int mods) {
-    if (Arrivals &arrivals = arrivals_of(window); action != GLFW_RELEASE) {
-        arrivals.keys.push_back({layout_key(key, scancode), mods, action == GLFW_REPEAT});
+    GlfwInput &input = input_of(window);
+    key = layout_key(key, scancode);
+    if (action == GLFW_RELEASE) {
+        input.held.erase(key);
+        return;
     }
+    input.held.insert(key);
+    input.tapped.insert(key);
+    input.arrivals.keys.push_back({key, mods, action == GLFW_REPEAT});
 }
 
-void on_character(GLFWwindow *window, unsigned int character) { arrivals_of(window).question_mark |= character == '?'; }
+void on_character(GLFWwindow *window, unsigned int character) {
+    input_of(window).arrivals.question_mark |= character == '?';
+}
 
 void on_drop(GLFWwindow *window, int count, const char **paths) {
-    arrivals_of(window).dropped.assign(paths, paths + count);
+    input_of(window).arrivals.dropped.assign(paths, paths + count);
 }
 
 /// What else arrives may change the picture, too.
-template <class... Details> void on_anything(GLFWwindow *window, Details...) { arrivals_of(window); }
+template <class... Details> void on_anything(GLFWwindow *window, Details...) { input_of(window); }
 
-template <class... Details> void on_exposure(GLFWwindow *window, Details...) { arrivals_of(window).exposed = true; }
+template <class... Details> void on_exposure(GLFWwindow *window, Details...) {
+    input_of(window).arrivals.exposed = true;
+}
 
 void set_hints(Profile profile) {
     set_context_hints(profile);
@@ -72,7 +82,7 @@ GlfwWindow::GlfwWindow(Size size, Profile profile) {
                            "): a newer graphics driver may help; Mesa's llvmpipe (libgl1-mesa-dri) needs no GPU");
     }
     glfwSetWindowSizeLimits(window_, least_window.width, least_window.height, GLFW_DONT_CARE, GLFW_DONT_CARE);
-    glfwSetWindowUserPointer(window_, &arrivals_);
+    glfwSetWindowUserPointer(window_, &input_);
     install_callbacks(window_);
     context_ = make_window_context(window_, profile);
 }
@@ -83,9 +93,19 @@ GlfwWindow::~GlfwWindow() {
     glfwTerminate();
 }
 
-void GlfwWindow::begin_gui() { ImGui_ImplGlfw_InitForOpenGL(window_, true); } // chains to the installed callbacks
+void GlfwWindow::begin_gui() {
+    ImGui_ImplGlfw_InitForOpenGL(window_, true); // chains to the installed callbacks
+    glfwSetKeyCallback(window_, on_key);         // keys are told by take_keys()
+}
 void GlfwWindow::end_gui() { ImGui_ImplGlfw_Shutdown(); }
 void GlfwWindow::feed_gui() { ImGui_ImplGlfw_NewFrame(); }
+
+KeysDown GlfwWindow::take_keys() {
+    const auto holds = [&](int left, int right) { return input_.held.contains(left) || input_.held.contains(right); };
+    input_.tapped.insert(input_.held.begin(), input_.held.end());
+    return {std::exchange(input_.tapped, {}), holds(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL),
+            holds(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT), holds(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT)};
+}
 
 double GlfwWindow::seconds() const { return glfwGetTime(); }
 void GlfwWindow::present() { glfwSwapBuffers(window_); }

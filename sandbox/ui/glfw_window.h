@@ -8,6 +8,12 @@ struct GLFWwindow;
 
 namespace sandbox {
 
+/// What GLFW has told.
+struct GlfwInput {
+    Arrivals arrivals;
+    std::set<int> held, tapped; ///< keys; tapped: since the last frame
+};
+
 /// The operating system's window.
 class GlfwWindow final : public Host {
   public:
@@ -19,7 +25,8 @@ class GlfwWindow final : public Host {
     void begin_gui() override;
     void end_gui() override;
     void feed_gui() override;
-    [[nodiscard]] Arrivals take_arrivals() override { return std::exchange(arrivals_, {}); }
+    [[nodiscard]] KeysDown take_keys() override;
+    [[nodiscard]] Arrivals take_arrivals() override { return std::exchange(input_.arrivals, {}); }
     [[nodiscard]] bool space_held() const override;
     [[nodiscard]] Size framebuffer_size() const override;
     [[nodiscard]] float content_scale() const override;
@@ -37,7 +44,7 @@ class GlfwWindow final : public Host {
 
     GLFWwindow *window_ = nullptr;
     std::unique_ptr<Context> context_;
-    Arrivals arrivals_;
+    GlfwInput input_;
     bool full_screen_ = false;
     int restored_[4] = {0, 0, 0, 0}; ///< x, y, width, height before full screen
 };

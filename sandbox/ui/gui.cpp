@@ -3,6 +3,7 @@
 #include "image/system_font.h"
 #include "render/gl_state.h"
 #include "ui/widgets/fonts.h"
+#include "ui/widgets/gui_keys.h"
 #include "ui/widgets/theme.h"
 
 #include <GLFW/glfw3.h>
@@ -29,6 +30,7 @@ Gui::Gui(Host &host) : host_(host) {
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     io.ConfigInputTextCursorBlink = false; // a blinking cursor would need frames while nothing happens
     host_.begin_gui();
+    name_gui_keys();
     ImGui_ImplOpenGL3_Init(is_es() ? "#version 300 es" : "#version 330 core");
 }
 
@@ -54,25 +56,29 @@ void Gui::restyle(bool dark, float scale, const std::set<char32_t> &rare) {
 }
 
 void Gui::begin_frame(const Appearance &appearance, bool lesson, std::set<char32_t> &rare) {
-    host_.feed_gui();
-    ImGuiIO &io = ImGui::GetIO();
-    for (const ImWchar typed : io.InputQueueCharacters) {
-        if (typed >= 0x80 && !in_text_font(typed)) {
-            rare.insert(typed);
-        }
-    }
     const float scale = appearance.scale * host_.content_scale();
     if (scale != scale_ || appearance.dark != dark_ || rare.size() != characters_) {
         restyle(appearance.dark, scale, rare);
     }
     ImGui_ImplOpenGL3_NewFrame();
-    io.KeyMap[ImGuiKey_Tab] = io.KeyCtrl ? GLFW_KEY_TAB : -1; // Ctrl+Tab goes to the next panel, Tab hides them all
-    for (const auto &[key, code] :
-         {std::pair(ImGuiKey_PageUp, GLFW_KEY_PAGE_UP), std::pair(ImGuiKey_PageDown, GLFW_KEY_PAGE_DOWN),
-          std::pair(ImGuiKey_Home, GLFW_KEY_HOME), std::pair(ImGuiKey_End, GLFW_KEY_END)}) {
-        io.KeyMap[key] = lesson && !io.WantTextInput && !appearance.key_list ? -1 : code;
+    host_.feed_gui();
+    const ImGuiIO &io = ImGui::GetIO();
+    KeysDown down = host_.take_keys();
+    if (!down.ctrl) { // Ctrl+Tab goes to the next panel, Tab hides them all
+        down.keys.erase(GLFW_KEY_TAB);
     }
+    if (lesson && !io.WantTextInput && !appearance.key_list) { // they go through its steps
+        for (const int key : {GLFW_KEY_PAGE_UP, GLFW_KEY_PAGE_DOWN, GLFW_KEY_HOME, GLFW_KEY_END}) {
+            down.keys.erase(key);
+        }
+    }
+    press_gui_keys(down);
     ImGui::NewFrame();
+    for (const ImWchar typed : io.InputQueueCharacters) { // in the font from the next frame on
+        if (typed >= 0x80 && !in_text_font(typed)) {
+            rare.insert(typed);
+        }
+    }
 }
 
 bool Gui::end_frame(unsigned long pictures) {

@@ -2,6 +2,7 @@
 
 #include "image/image.h"
 #include "render/context.h"
+#include "ui/widgets/gui_keys.h"
 
 #include <memory>
 #include <string>
@@ -36,8 +37,10 @@ class Host {
     /// Around the life of Dear ImGui's context.
     virtual void begin_gui() = 0;
     virtual void end_gui() {}
-    /// Dear ImGui's input of the frame that begins.
+    /// Dear ImGui's input of the frame that begins, but for its keys.
     virtual void feed_gui() = 0;
+    /// With those that went down and up since the last frame: a tap may be shorter than one.
+    [[nodiscard]] virtual KeysDown take_keys() = 0;
     [[nodiscard]] virtual Arrivals take_arrivals() = 0;
     [[nodiscard]] virtual bool space_held() const = 0;
     /// Physical pixels; (0, 0) while minimised.

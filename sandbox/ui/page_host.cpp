@@ -1,7 +1,6 @@
 #include "ui/page_host.h"
 
 #include "render/page_context.h"
-#include "ui/gui_keys.h"
 
 #include <GLFW/glfw3.h>
 #include <emscripten.h>
@@ -34,7 +33,6 @@ void PageHost::begin_gui() {
     io.ClipboardUserData = this;
     io.GetClipboardTextFn = clipboard;
     io.SetClipboardTextFn = [](void *, const char *text) { page_set_clipboard(text); };
-    name_gui_keys();
 }
 
 const char *PageHost::clipboard(void *host) { return static_cast<PageHost *>(host)->clipboard_.c_str(); }
@@ -60,11 +58,6 @@ void PageHost::feed_gui() {
         }
     }
     io.MouseWheel = std::exchange(wheel_, 0.0F);
-    press_gui_keys([&](int key) { return held_.contains(key) || pressed_.contains(key); });
-    pressed_.clear();
-    io.KeyCtrl = (mods_ & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0;
-    io.KeyShift = (mods_ & GLFW_MOD_SHIFT) != 0;
-    io.KeyAlt = (mods_ & GLFW_MOD_ALT) != 0;
     io.AddInputCharactersUTF8(std::exchange(typed_, {}).c_str());
     if (io.WantTextInput != wants_text_) {
         wants_text_ = io.WantTextInput;
@@ -72,9 +65,15 @@ void PageHost::feed_gui() {
     }
 }
 
+KeysDown PageHost::take_keys() {
+    tapped_.insert(held_.begin(), held_.end());
+    return {std::exchange(tapped_, {}), (mods_ & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0,
+            (mods_ & GLFW_MOD_SHIFT) != 0, (mods_ & GLFW_MOD_ALT) != 0};
+}
+
 Arrivals PageHost::take_arrivals() {
     Arrivals taken = std::exchange(arrivals_, {});
-    taken.any |= !pointers_.empty() || !pressed_.empty();
+    taken.any |= !pointers_.empty() || !tapped_.empty();
     return taken;
 }
 
@@ -128,7 +127,7 @@ void PageHost::press_key(int key, int mods, bool down, bool repeated) {
     mods_ = mods;
     if (down) {
         held_.insert(key);
-        pressed_.insert(key);
+        tapped_.insert(key);
         arrivals_.keys.push_back({key, mods, repeated});
     } else {
         held_.erase(key);

@@ -18,6 +18,7 @@ class PageHost final : public Host {
     [[nodiscard]] Context &context() override { return *context_; }
     void begin_gui() override;
     void feed_gui() override;
+    [[nodiscard]] KeysDown take_keys() override;
     [[nodiscard]] Arrivals take_arrivals() override;
     [[nodiscard]] bool space_held() const override;
     [[nodiscard]] Size framebuffer_size() const override { return size_; }
@@ -59,7 +60,7 @@ class PageHost final : public Host {
     float scale_ = 1;
     std::deque<Pointer> pointers_; ///< to be seen, one press or release a frame: a tap may be shorter than one
     float wheel_ = 0;
-    std::set<int> held_, pressed_; ///< GLFW's keys; those pressed since the last frame
+    std::set<int> held_, tapped_; ///< GLFW's keys; those pressed since the last frame
     int mods_ = 0;
     std::string typed_, clipboard_;
     double last_frame_ = 0;

@@ -1,7 +1,5 @@
 #include "ui/scripted_host.h"
 
-#include "ui/gui_keys.h"
-
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 #include <iterator>
@@ -15,7 +13,6 @@ ScriptedHost::ScriptedHost(Size size, Profile profile) : context_(Context::headl
 void ScriptedHost::begin_gui() {
     ImGuiIO &io = ImGui::GetIO();
     io.BackendPlatformName = "script";
-    name_gui_keys();
 }
 
 void ScriptedHost::feed_gui() {
@@ -28,14 +25,19 @@ void ScriptedHost::feed_gui() {
     io.MousePos = {mouse_x_, mouse_y_};
     std::copy(std::begin(buttons_), std::end(buttons_), io.MouseDown);
     io.MouseWheel = std::exchange(wheel_, 0.0F);
-    press_gui_keys([&](int key) { return held_.contains(key) || pressed_.contains(key); });
+    io.AddInputCharactersUTF8(std::exchange(typed_, {}).c_str());
+}
+
+KeysDown ScriptedHost::take_keys() {
+    KeysDown down{held_};
+    down.keys.insert(pressed_.begin(), pressed_.end());
     const auto holds = [&](int key, int mod) {
         return held_.contains(key) || (!pressed_.empty() && (mods_ & mod) != 0);
     };
-    io.KeyCtrl = holds(GLFW_KEY_LEFT_CONTROL, GLFW_MOD_CONTROL);
-    io.KeyShift = holds(GLFW_KEY_LEFT_SHIFT, GLFW_MOD_SHIFT);
-    io.KeyAlt = holds(GLFW_KEY_LEFT_ALT, GLFW_MOD_ALT);
-    io.AddInputCharactersUTF8(std::exchange(typed_, {}).c_str());
+    down.ctrl = holds(GLFW_KEY_LEFT_CONTROL, GLFW_MOD_CONTROL);
+    down.shift = holds(GLFW_KEY_LEFT_SHIFT, GLFW_MOD_SHIFT);
+    down.alt = holds(GLFW_KEY_LEFT_ALT, GLFW_MOD_ALT);
+    return down;
 }
 
 bool ScriptedHost::space_held() const { return held_.contains(GLFW_KEY_SPACE); }

@@ -19,6 +19,7 @@ class ScriptedHost final : public Host {
     [[nodiscard]] Context &context() override { return *context_; }
     void begin_gui() override;
     void feed_gui() override;
+    [[nodiscard]] KeysDown take_keys() override;
     [[nodiscard]] Arrivals take_arrivals() override { return std::exchange(arrivals_, {}); }
     [[nodiscard]] bool space_held() const override;
     [[nodiscard]] Size framebuffer_size() const override { return surface_->size(); }

@@ -1,6 +1,7 @@
 #include "ui/widgets/widgets.h"
 
 #include "ui/widgets/fonts.h"
+#include "ui/widgets/gui_keys.h"
 #include "ui/widgets/line_breaks.h"
 #include "ui/widgets/theme.h"
 
@@ -225,7 +226,7 @@ std::optional<float> panel_edge(Session &session, std::string_view name, ImVec2 
     const bool upright = size.y > size.x, hovered = ImGui::IsItemHovered();
     const bool dragged = ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, 1);
     const bool has_keys = ImGui::IsItemFocused() && ImGui::GetIO().NavVisible;
-    const auto pressed = [&](ImGuiKey_ key) { return has_keys && ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); };
+    const auto pressed = [&](ImGuiKey key) { return has_keys && is_gui_key_pressed(key); };
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right) || pressed(ImGuiKey_Enter) ||
         (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))) {
         chosen = 0;
@@ -321,7 +322,7 @@ void scroll_by_keys() {
     for (const auto &[key, step] :
          {std::pair(ImGuiKey_UpArrow, -line), std::pair(ImGuiKey_DownArrow, line), std::pair(ImGuiKey_PageUp, -page),
           std::pair(ImGuiKey_PageDown, page), std::pair(ImGuiKey_Home, -1e6F), std::pair(ImGuiKey_End, 1e6F)}) {
-        if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(key))) {
+        if (is_gui_key_pressed(key)) {
             ImGui::SetScrollY(std::clamp(ImGui::GetScrollY() + step, 0.0F, ImGui::GetScrollMaxY()));
         }
     }

@@ -1,15 +1,13 @@
-#include "ui/gui_keys.h"
+#include "ui/widgets/gui_keys.h"
 
 #include <GLFW/glfw3.h>
-#include <imgui.h>
 
 namespace sandbox {
-
 namespace {
 
 /// Dear ImGui's keys that its widgets use, and what GLFW calls them.
 struct GuiKey {
-    ImGuiKey_ gui;
+    ImGuiKey gui;
     int key;
 };
 constexpr GuiKey gui_keys[] = {
@@ -37,16 +35,42 @@ constexpr GuiKey gui_keys[] = {
 
 } // namespace
 
+#if IMGUI_VERSION_NUM >= 18900
+
+void name_gui_keys() {}
+
+void press_gui_keys(const KeysDown &down) {
+    ImGuiIO &io = ImGui::GetIO();
+    io.AddKeyEvent(ImGuiMod_Ctrl, down.ctrl);
+    io.AddKeyEvent(ImGuiMod_Shift, down.shift);
+    io.AddKeyEvent(ImGuiMod_Alt, down.alt);
+    for (const GuiKey &key : gui_keys) {
+        io.AddKeyEvent(key.gui, down.keys.contains(key.key));
+    }
+}
+
+bool is_gui_key_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(key); }
+
+#else
+
 void name_gui_keys() {
     for (const GuiKey &key : gui_keys) {
         ImGui::GetIO().KeyMap[key.gui] = key.key;
     }
 }
 
-void press_gui_keys(const std::function<bool(int key)> &is_down) {
+void press_gui_keys(const KeysDown &down) {
+    ImGuiIO &io = ImGui::GetIO();
+    io.KeyCtrl = down.ctrl;
+    io.KeyShift = down.shift;
+    io.KeyAlt = down.alt;
     for (const GuiKey &key : gui_keys) {
-        ImGui::GetIO().KeysDown[key.key] = is_down(key.key);
+        io.KeysDown[key.key] = down.keys.contains(key.key);
     }
 }
+
+bool is_gui_key_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }
+
+#endif
 
 } // namespace sandbox
