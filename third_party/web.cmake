@@ -19,7 +19,7 @@ foreach(target glm::glm nlohmann_json::nlohmann_json CLI11::CLI11)
   target_link_libraries(${target} INTERFACE web_headers)
 endforeach()
 # None: one thread, the browser's canvas, WebGL's functions linked; of GLFW the names of keys.
-foreach(target Threads::Threads OpenGL::EGL glfw glad::gl33)
+foreach(target Threads::Threads OpenGL::EGL glfw::glfw glad::gl33)
   add_library(${target} INTERFACE IMPORTED GLOBAL)
 endforeach()
 

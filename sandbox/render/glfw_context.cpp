@@ -59,7 +59,8 @@ class HiddenWindow {
   public:
     explicit HiddenWindow(Profile profile) {
         if (glfwInit() != GLFW_TRUE) {
-            throw MachineError("--backend glfw needs a display server, found none: set DISPLAY, or use --backend egl");
+            throw MachineError("--backend glfw needs GLFW and a display server ({}): set DISPLAY, or use --backend egl",
+                               glfw_error());
         }
         end_when_display_is_lost();
         set_context_hints(profile);
@@ -111,7 +112,9 @@ std::unique_ptr<Context> make_window_context(GLFWwindow *window, Profile profile
 std::string glfw_error() {
     const char *reason = nullptr;
     glfwGetError(&reason);
-    return reason != nullptr ? reason : "no reason given";
+    return reason != nullptr                   ? reason
+           : glfwGetVersionString() == nullptr ? "libglfw.so.3 is missing: on Debian, apt install libglfw3"
+                                               : "no reason given";
 }
 
 } // namespace sandbox

@@ -27,9 +27,9 @@ int end_with_a_sentence(XDisplay * /*lost*/) {
 
 void end_when_display_is_lost() {
     using SetHandler = IoErrorHandler (*)(IoErrorHandler);
-    // GLFW has loaded it, if this is X.
-    if (const auto set = reinterpret_cast<SetHandler>(dlsym(RTLD_DEFAULT, "XSetIOErrorHandler"))) {
-        set(end_with_a_sentence);
+    void *const xlib = dlopen("libX11.so.6", RTLD_NOW | RTLD_NOLOAD); // GLFW has loaded it, if this is X
+    if (xlib != nullptr) {
+        reinterpret_cast<SetHandler>(dlsym(xlib, "XSetIOErrorHandler"))(end_with_a_sentence);
     }
 }
 

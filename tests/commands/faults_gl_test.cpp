@@ -277,14 +277,22 @@ bool has_x_server() { return std::system("command -v Xvfb xdotool > /dev/null") 
 
 TEST_F(Faults, OfMachines) {
     const std::string no_display = "env -u DISPLAY -u WAYLAND_DISPLAY";
+    const std::string no_glfw = "touch {}/libglfw.so.3; LD_LIBRARY_PATH={}";
     expect({
         {"a window without a display", {"view", "vase"}, 3, "no display server", {}, no_display},
         {"--backend glfw without a display",
          drawing("vase", "{}/out/a.png", {"--backend", "glfw"}),
          3,
-         "needs a display server, found none",
+         "needs GLFW and a display server",
          {},
          no_display},
+        {"--backend glfw without GLFW",
+         drawing("vase", "{}/out/a.png", {"--backend", "glfw"}),
+         3,
+         "libglfw.so.3 is missing",
+         {},
+         no_glfw},
+        {"no GLFW, and none needed", drawing("vase"), 0, "", {"a.png", "a.png.json"}, no_glfw},
         {"no OpenGL driver", drawing("vase"), 3, "OpenGL", {}, "env __EGL_VENDOR_LIBRARY_DIRS=/nowhere"},
         {"a locale that is none", drawing("vase"), 0, "", {"a.png", "a.png.json"}, "env LC_ALL=xx_XX.none LANG=none"},
         {"no home", drawing("vase"), 0, "", {"a.png", "a.png.json"}, "env -u HOME -u XDG_CONFIG_HOME"},
