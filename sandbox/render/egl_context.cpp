@@ -9,22 +9,24 @@
 
 #include <array>
 #include <cstring>
+#include <functional>
+#include <span>
 #include <utility>
-#include <vector>
 
 namespace sandbox {
 namespace {
 
 bool has_extension(const char *list, const char *name) { return list != nullptr && std::strstr(list, name) != nullptr; }
 
-/// The displays to try, in order: surfaceless, each device, the default one.
-std::vector<EGLDisplay> candidate_displays() {
-    std::vector<EGLDisplay> displays;
+/// Offers displays, in order, until one is taken: surfaceless, each device, the default one. Those that come after it
+/// are not asked for: to know its devices, EGL searches the machine.
+void offer_displays(const std::function<bool(EGLDisplay)> &take) {
     const char *client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     const auto get_platform_display =
         reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(eglGetProcAddress("eglGetPlatformDisplayEXT"));
-    if (get_platform_display != nullptr && has_extension(client, "EGL_MESA_platform_surfaceless")) {
-        displays.push_back(get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr));
+    if (get_platform_display != nullptr && has_extension(client, "EGL_MESA_platform_surfaceless") &&
+        take(get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr))) {
+        return;
     }
     const auto query_devices = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
     if (get_platform_display != nullptr && query_devices != nullptr &&
@@ -32,14 +34,14 @@ std::vector<EGLDisplay> candidate_displays() {
         std::array<EGLDeviceEXT, 16> devices{};
         EGLint count = 0;
         if (query_devices(static_cast<EGLint>(devices.size()), devices.data(), &count) == EGL_TRUE) {
-            for (EGLint i = 0; i < count; ++i) {
-                displays.push_back(
-                    get_platform_display(EGL_PLATFORM_DEVICE_EXT, devices[static_cast<std::size_t>(i)], nullptr));
+            for (const EGLDeviceEXT device : std::span(devices).first(static_cast<std::size_t>(count))) {
+                if (take(get_platform_display(EGL_PLATFORM_DEVICE_EXT, device, nullptr))) {
+                    return;
+                }
             }
         }
     }
-    displays.push_back(eglGetDisplay(EGL_DEFAULT_DISPLAY));
-    return displays;
+    take(eglGetDisplay(EGL_DEFAULT_DISPLAY));
 }
 
 constexpr std::array<EGLint, 7> core_3_3{
@@ -180,11 +182,14 @@ class EglContext final : public Context {
 
 std::unique_ptr<Context> make_egl_context(Profile profile) {
     std::string found;
-    for (const EGLDisplay display : candidate_displays()) {
-        auto context = std::make_unique<EglContext>(display, profile);
-        if (context->start(found)) {
-            return context;
-        }
+    std::unique_ptr<EglContext> context;
+    offer_displays([&](EGLDisplay display) {
+        auto started = std::make_unique<EglContext>(display, profile);
+        context = started->start(found) ? std::move(started) : nullptr;
+        return context != nullptr;
+    });
+    if (context != nullptr) {
+        return context;
     }
     throw MachineError("{} is needed, found {}: {}", name_of(profile), found.empty() ? "no OpenGL through EGL" : found,
                        opengl_install_hint);
@@ -192,25 +197,26 @@ std::unique_ptr<Context> make_egl_context(Profile profile) {
 
 std::unique_ptr<WorkerContext> make_software_worker(const std::string &renderer) {
     const EGLDisplay current = eglGetCurrentDisplay();
-    for (const EGLDisplay candidate : candidate_displays()) {
+    std::unique_ptr<WorkerContext> taken;
+    offer_displays([&](EGLDisplay candidate) {
         if (candidate == current) {
-            continue;
+            return false;
         }
         const auto display = std::make_shared<const OpenDisplay>(candidate, current_profile());
         if (!display->usable()) {
-            continue;
+            return false;
         }
         try {
             auto worker = std::make_unique<EglWorker>(display);
             const WorkerContext::Current here(*worker);
             if (reinterpret_cast<const char *>(glGetString(GL_RENDERER)) == renderer) {
-                return worker;
+                taken = std::move(worker);
             }
-        } catch (const MachineError &) {
-            continue; // another may do
+        } catch (const MachineError &) { // another may do
         }
-    }
-    return nullptr;
+        return taken != nullptr;
+    });
+    return taken;
 }
 
 } // namespace sandbox

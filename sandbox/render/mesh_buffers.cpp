@@ -21,14 +21,20 @@ template <typename Element> Buffer make_filled(GLenum target, const std::vector<
     return buffer;
 }
 
-/// One vector per shared vertex, or per triangle corner where `flat`: value_at(triangle, vertex).
+/// One vector per shared vertex, or per triangle corner where `flat`: value_at(triangle, vertex), of a shared one with
+/// no triangle.
 template <typename ValueAt> Buffer make_attribute(const Mesh &mesh, bool flat, const ValueAt &value_at) {
     std::vector<std::invoke_result_t<ValueAt, glm::uvec3, unsigned>> values;
-    values.resize(flat ? 3 * mesh.triangles.size() : mesh.positions.size());
-    std::size_t corners = 0;
-    for (const glm::uvec3 &triangle : mesh.triangles) {
-        for (int corner = 0; corner < 3; ++corner, ++corners) {
-            values[flat ? corners : triangle[corner]] = value_at(triangle, triangle[corner]);
+    values.reserve(flat ? 3 * mesh.triangles.size() : mesh.positions.size());
+    if (flat) {
+        for (const glm::uvec3 &triangle : mesh.triangles) {
+            for (int corner = 0; corner < 3; ++corner) {
+                values.push_back(value_at(triangle, triangle[corner]));
+            }
+        }
+    } else {
+        for (unsigned v = 0; v < mesh.positions.size(); ++v) {
+            values.push_back(value_at({}, v));
         }
     }
     return make_filled(GL_ARRAY_BUFFER, values);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 #include <map>
 #include <optional>
 #include <tuple>
@@ -71,7 +72,10 @@ class Splitter {
 
 std::shared_ptr<const Mesh> with_near_uvs(const std::shared_ptr<const Mesh> &mesh, double step) {
     const auto is_far = [&](const glm::uvec3 &t) { return offset_of(*mesh, t, step) != glm::dvec2(0); };
-    if (mesh->uvs.empty() || std::ranges::none_of(mesh->triangles, is_far)) {
+    const auto within_step = [&](const glm::dvec2 &uv) {
+        return glm::all(glm::lessThan(glm::abs(uv), glm::dvec2(step / 2)));
+    };
+    if (std::ranges::all_of(mesh->uvs, within_step) || std::ranges::none_of(mesh->triangles, is_far)) {
         return mesh;
     }
     return std::make_shared<const Mesh>(Splitter(*mesh, step).split());
