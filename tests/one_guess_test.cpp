@@ -1,5 +1,6 @@
 #include "tools/source_text.h"
 
+#include <algorithm>
 #include <cctype>
 #include <gtest/gtest.h>
 #include <regex>

@@ -1,5 +1,7 @@
 #include "certificate/curves.h"
 
+#include <algorithm>
+
 namespace sandbox::certificate {
 namespace {
 

@@ -1,5 +1,7 @@
 #include "certificate/interpolation_bound.h"
 
+#include <algorithm>
+
 namespace sandbox::certificate {
 
 double largest_sum(double a, double b, double c) {

@@ -1,5 +1,6 @@
 #include "certificate/jet.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 namespace sandbox::certificate {

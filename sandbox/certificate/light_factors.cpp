@@ -1,5 +1,6 @@
 #include "certificate/light_factors.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 namespace sandbox::certificate {

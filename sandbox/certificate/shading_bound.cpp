@@ -2,6 +2,7 @@
 
 #include "certificate/light_factors.h"
 
+#include <algorithm>
 #include <array>
 
 namespace sandbox::certificate {

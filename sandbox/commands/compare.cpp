@@ -7,6 +7,7 @@
 #include "measure/metrics/metrics.h"
 #include "shading/prepared_object.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -3,6 +3,7 @@
 #include "scene/scene_json.h"
 #include "scene/table_schema.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace sandbox {

@@ -2,6 +2,7 @@
 
 #include "shading/features.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/trigonometric.hpp>
 #include <numbers>

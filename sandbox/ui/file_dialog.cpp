@@ -7,6 +7,7 @@
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>

@@ -1,6 +1,7 @@
 #include "ui/scripted_host.h"
 
 #include <GLFW/glfw3.h>
+#include <algorithm>
 #include <imgui.h>
 #include <iterator>
 

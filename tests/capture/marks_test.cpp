@@ -5,6 +5,7 @@
 #include "tools/english.h"
 #include "tools/pixel.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace sandbox {

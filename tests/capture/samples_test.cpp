@@ -3,6 +3,7 @@
 #include "image/error.h"
 #include "scene/space.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <set>
 

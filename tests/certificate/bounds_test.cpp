@@ -2,6 +2,7 @@
 #include "certificate/interpolation_bound.h"
 #include "certificate/jet.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 #include "reference/raster.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>

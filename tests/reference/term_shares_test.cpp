@@ -2,6 +2,7 @@
 
 #include "reference/reference_scenes.h"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 

@@ -7,6 +7,7 @@
 #include "tools/technique_walk.h"
 #include "tools/temporary_folder.h"
 
+#include <algorithm>
 #include <regex>
 #include <set>
 

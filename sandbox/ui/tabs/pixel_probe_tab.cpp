@@ -3,6 +3,7 @@
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
+#include <algorithm>
 #include <array>
 #include <exception>
 #include <fmt/format.h>

@@ -8,6 +8,7 @@
 #include "tools/error_of.h"
 #include "tools/json_schema.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

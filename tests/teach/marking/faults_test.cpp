@@ -1,6 +1,7 @@
 #include "teach/marking/marking_fakes.h"
 #include "teach/marking/naming.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <set>

@@ -5,6 +5,7 @@
 #include "tools/random_scene.h"
 #include "tools/stress_scenes.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
