@@ -39,8 +39,9 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PACKAGE_SECTION education)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-# What is opened by name at run time: the window, its way to X, the driver, the window's font.
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "libglfw3, libgl1, libgl1-mesa-dri, libegl-mesa0, fonts-dejavu-core")
+# What is opened by name at run time: the window's library, its way to X, the driver, the window's font.
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libglfw3 | libglfw3-wayland") # a server needs no window
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libgl1, libgl1-mesa-dri, libegl-mesa0, fonts-dejavu-core")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "fonts-noto-cjk") # the window in Chinese
 
 set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_SOURCE_DIR}/assets/desktop/debian_files.cmake)

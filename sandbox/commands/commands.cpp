@@ -33,18 +33,20 @@ constexpr Command commands[] = {
     {"lesson", "Measure the claims of a lesson, and write it as a page", add_lesson_options},
     {"figures", "Draw, measure and caption the figures of a hand-in: index.md, PNG and SVG files", add_figures_options},
     {"own", "Print a file of own shading: one to begin with, or the answer", add_own_options},
+#ifndef __EMSCRIPTEN__ // a page starts no process
     {"own-server", "", add_own_server_options},
+#endif
     {"diagnose", "Say what a picture of a scene is: technique, faults, conventions", add_diagnose_options},
     {"mark", "Give points to answers to an exercise, term by term", add_mark_options},
     {"glsl", "Print the GLSL program that draws a scene with a technique", add_glsl_options},
     {"view", "Open the window (the default without a command)", add_view_options},
 };
 
-/// A command's options are added when its name was read: no process describes fourteen commands that it does not run.
+/// A command's options are added when its name was read: no process describes commands that it does not run.
 void add_commands(CLI::App &app, CommonOptions &common, Run &run) {
     for (const Command &row : commands) {
         CLI::App &command = *app.add_subcommand(row.name, row.description);
-        if (command.get_description().empty()) {
+        if (*row.description == '\0') {
             command.group("");
         }
         command.preparse_callback([&, add_options = row.add_options](std::size_t) {

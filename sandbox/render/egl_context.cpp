@@ -18,8 +18,8 @@ namespace {
 
 bool has_extension(const char *list, const char *name) { return list != nullptr && std::strstr(list, name) != nullptr; }
 
-/// Offers displays, in order, until one is taken: surfaceless, each device, the default one. Those that come after it
-/// are not asked for: to know its devices, EGL searches the machine.
+/// Offers displays, in order, until one is taken: surfaceless, each device, the default one. Later ones are not even
+/// looked up: EGL would search the machine for devices.
 void offer_displays(const std::function<bool(EGLDisplay)> &take) {
     const char *client = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     const auto get_platform_display =

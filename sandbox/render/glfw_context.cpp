@@ -6,6 +6,8 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <dlfcn.h>
+#include <fmt/format.h>
 
 namespace sandbox {
 namespace {
@@ -112,9 +114,11 @@ std::unique_ptr<Context> make_window_context(GLFWwindow *window, Profile profile
 std::string glfw_error() {
     const char *reason = nullptr;
     glfwGetError(&reason);
-    return reason != nullptr                   ? reason
-           : glfwGetVersionString() == nullptr ? "libglfw.so.3 is missing: on Debian, apt install libglfw3"
-                                               : "no reason given";
+    if (glfwGetVersionString() == nullptr) { // it could not be opened
+        const bool opened = dlopen("libglfw.so.3", RTLD_NOW) != nullptr;
+        return fmt::format("{}; on Debian: apt install libglfw3", opened ? "libglfw.so.3 is no GLFW" : dlerror());
+    }
+    return reason != nullptr ? reason : "no reason given";
 }
 
 } // namespace sandbox

@@ -21,8 +21,8 @@ template <typename Element> Buffer make_filled(GLenum target, const std::vector<
     return buffer;
 }
 
-/// One vector per shared vertex, or per triangle corner where `flat`: value_at(triangle, vertex), of a shared one with
-/// no triangle.
+/// One vector per shared vertex, or per triangle corner where `flat`: value_at(triangle, vertex), where `triangle`
+/// counts only if flat.
 template <typename ValueAt> Buffer make_attribute(const Mesh &mesh, bool flat, const ValueAt &value_at) {
     std::vector<std::invoke_result_t<ValueAt, glm::uvec3, unsigned>> values;
     values.reserve(flat ? 3 * mesh.triangles.size() : mesh.positions.size());

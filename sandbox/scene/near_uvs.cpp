@@ -72,10 +72,10 @@ class Splitter {
 
 std::shared_ptr<const Mesh> with_near_uvs(const std::shared_ptr<const Mesh> &mesh, double step) {
     const auto is_far = [&](const glm::uvec3 &t) { return offset_of(*mesh, t, step) != glm::dvec2(0); };
-    const auto within_step = [&](const glm::dvec2 &uv) {
+    const auto is_near = [&](const glm::dvec2 &uv) {
         return glm::all(glm::lessThan(glm::abs(uv), glm::dvec2(step / 2)));
     };
-    if (std::ranges::all_of(mesh->uvs, within_step) || std::ranges::none_of(mesh->triangles, is_far)) {
+    if (std::ranges::all_of(mesh->uvs, is_near) || std::ranges::none_of(mesh->triangles, is_far)) {
         return mesh;
     }
     return std::make_shared<const Mesh>(Splitter(*mesh, step).split());

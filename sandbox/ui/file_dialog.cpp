@@ -3,7 +3,6 @@
 #include "ui/desktop.h"
 #include "ui/jobs/background_job.h"
 #include "ui/jobs/drawing_job.h"
-#include "ui/widgets/gui_keys.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/widgets.h"
 
@@ -96,7 +95,7 @@ void FileDialog::draw_fields(Session &session, const std::vector<std::string> &r
     }
     const bool done = button(session, session.label(purpose_ == Purpose::save ? "file.save" : "file.open"), "");
     ImGui::SameLine();
-    const bool cancelled = button(session, session.label("cancel"), "") || is_gui_key_pressed(ImGuiKey_Escape);
+    const bool cancelled = button(session, session.label("cancel"), "") || is_key_pressed(ImGuiKey_Escape);
     if (!command_.empty()) {
         ImGui::SameLine();
         ImGui::BeginDisabled(job_ != nullptr);

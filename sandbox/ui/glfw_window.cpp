@@ -6,7 +6,10 @@
 #include "ui/session/settings.h"
 
 #include <GLFW/glfw3.h>
+#include <array>
 #include <backends/imgui_impl_glfw.h>
+#include <imgui.h>
+#include <imgui_internal.h>
 
 namespace sandbox {
 
@@ -14,6 +17,9 @@ namespace {
 
 /// What the user's keyboard has where GLFW's has `key`.
 int layout_key(int key, int scancode) {
+    if (key == GLFW_KEY_KP_ENTER) {
+        return GLFW_KEY_ENTER;
+    }
     const bool printable = key >= GLFW_KEY_SPACE && key <= GLFW_KEY_WORLD_2;
     const char *name = printable && key != GLFW_KEY_SPACE ? glfwGetKeyName(key, scancode) : nullptr;
     if (name == nullptr || name[0] == '\0' || name[1] != '\0') {
@@ -31,18 +37,20 @@ GlfwInput &input_of(GLFWwindow *window) {
 
 void on_key(GLFWwindow *window, int key, int scancode, int action, int mods) {
     GlfwInput &input = input_of(window);
-    key = layout_key(key, scancode);
     if (action == GLFW_RELEASE) {
-        input.held.erase(key);
+        input.keyboard.release(key);
         return;
     }
-    input.held.insert(key);
-    input.tapped.insert(key);
-    input.arrivals.keys.push_back({key, mods, action == GLFW_REPEAT});
+    const int named = layout_key(key, scancode);
+    input.keyboard.press(key, named, mods);
+    input.arrivals.keys.push_back({named, mods, action == GLFW_REPEAT});
 }
 
 void on_character(GLFWwindow *window, unsigned int character) {
-    input_of(window).arrivals.question_mark |= character == '?';
+    Arrivals &arrivals = input_of(window).arrivals;
+    std::array<char, 5> utf8{};
+    arrivals.typed += ImTextCharToUtf8(utf8.data(), character);
+    arrivals.question_mark |= character == '?';
 }
 
 void on_drop(GLFWwindow *window, int count, const char **paths) {
@@ -101,10 +109,14 @@ void GlfwWindow::end_gui() { ImGui_ImplGlfw_Shutdown(); }
 void GlfwWindow::feed_gui() { ImGui_ImplGlfw_NewFrame(); }
 
 KeysDown GlfwWindow::take_keys() {
-    const auto holds = [&](int left, int right) { return input_.held.contains(left) || input_.held.contains(right); };
-    input_.tapped.insert(input_.held.begin(), input_.held.end());
-    return {std::exchange(input_.tapped, {}), holds(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL),
-            holds(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT), holds(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT)};
+    Keyboard &keyboard = input_.keyboard;
+    const auto held = [&](int left, int right, int mod) {
+        return keyboard.holds(left) || keyboard.holds(right) ? mod : 0;
+    };
+    return keyboard.take(held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL, GLFW_MOD_CONTROL) |
+                         held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT, GLFW_MOD_SHIFT) |
+                         held(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT, GLFW_MOD_ALT) |
+                         held(GLFW_KEY_LEFT_SUPER, GLFW_KEY_RIGHT_SUPER, GLFW_MOD_SUPER));
 }
 
 double GlfwWindow::seconds() const { return glfwGetTime(); }
@@ -126,7 +138,7 @@ void GlfwWindow::install_callbacks(GLFWwindow *window) {
 
 bool GlfwWindow::close_asked() const { return glfwWindowShouldClose(window_) == GLFW_TRUE; }
 
-bool GlfwWindow::space_held() const { return glfwGetKey(window_, GLFW_KEY_SPACE) == GLFW_PRESS; }
+bool GlfwWindow::space_held() const { return input_.keyboard.holds(GLFW_KEY_SPACE); }
 
 Size GlfwWindow::framebuffer_size() const {
     Size size;

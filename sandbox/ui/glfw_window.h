@@ -11,7 +11,7 @@ namespace sandbox {
 /// What GLFW has told.
 struct GlfwInput {
     Arrivals arrivals;
-    std::set<int> held, tapped; ///< keys; tapped: since the last frame
+    Keyboard keyboard;
 };
 
 /// The operating system's window.

@@ -2,14 +2,13 @@
 
 #include "image/system_font.h"
 #include "render/gl_state.h"
+#include "ui/gui_keys.h"
 #include "ui/widgets/fonts.h"
-#include "ui/widgets/gui_keys.h"
 #include "ui/widgets/theme.h"
 
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
-#include <utility>
 
 namespace sandbox {
 
@@ -30,7 +29,6 @@ Gui::Gui(Host &host) : host_(host) {
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     io.ConfigInputTextCursorBlink = false; // a blinking cursor would need frames while nothing happens
     host_.begin_gui();
-    name_gui_keys();
     ImGui_ImplOpenGL3_Init(is_es() ? "#version 300 es" : "#version 330 core");
 }
 
@@ -55,7 +53,7 @@ void Gui::restyle(bool dark, float scale, const std::set<char32_t> &rare) {
     dark_ = dark;
 }
 
-void Gui::begin_frame(const Appearance &appearance, bool lesson, std::set<char32_t> &rare) {
+void Gui::begin_frame(const Appearance &appearance, bool lesson, const std::set<char32_t> &rare) {
     const float scale = appearance.scale * host_.content_scale();
     if (scale != scale_ || appearance.dark != dark_ || rare.size() != characters_) {
         restyle(appearance.dark, scale, rare);
@@ -64,7 +62,7 @@ void Gui::begin_frame(const Appearance &appearance, bool lesson, std::set<char32
     host_.feed_gui();
     const ImGuiIO &io = ImGui::GetIO();
     KeysDown down = host_.take_keys();
-    if (!down.ctrl) { // Ctrl+Tab goes to the next panel, Tab hides them all
+    if ((down.mods & GLFW_MOD_CONTROL) == 0) { // Ctrl+Tab goes to the next panel, Tab hides them all
         down.keys.erase(GLFW_KEY_TAB);
     }
     if (lesson && !io.WantTextInput && !appearance.key_list) { // they go through its steps
@@ -74,11 +72,6 @@ void Gui::begin_frame(const Appearance &appearance, bool lesson, std::set<char32
     }
     press_gui_keys(down);
     ImGui::NewFrame();
-    for (const ImWchar typed : io.InputQueueCharacters) { // in the font from the next frame on
-        if (typed >= 0x80 && !in_text_font(typed)) {
-            rare.insert(typed);
-        }
-    }
 }
 
 bool Gui::end_frame(unsigned long pictures) {

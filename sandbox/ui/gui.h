@@ -21,7 +21,7 @@ class Gui {
     /// Begins a frame with this theme and scale; loads new fonts if the scale changed or `rare`, the characters in use
     /// that the text font lacks, has become more, to which what is typed is added. `lesson`: Page up and down, Home and
     /// End go through its steps, and scroll nothing but the list of keys.
-    void begin_frame(const Appearance &appearance, bool lesson, std::set<char32_t> &rare);
+    void begin_frame(const Appearance &appearance, bool lesson, const std::set<char32_t> &rare);
     /// Lays the frame out. False if it would show what the last one does; `pictures` counts the changes of the
     /// textures that it shows.
     bool end_frame(unsigned long pictures);

@@ -2,7 +2,7 @@
 
 #include "image/image.h"
 #include "render/context.h"
-#include "ui/widgets/gui_keys.h"
+#include "ui/keyboard.h"
 
 #include <memory>
 #include <string>
@@ -21,6 +21,7 @@ struct Arrivals {
     bool any = false;     ///< anything at all that may change the picture
     bool exposed = false; ///< what was shown may be lost
     std::vector<KeyPress> keys;
+    std::string typed; ///< text, as UTF-8
     bool question_mark = false;
     std::vector<std::string> dropped; ///< paths
 };
@@ -39,7 +40,7 @@ class Host {
     virtual void end_gui() {}
     /// Dear ImGui's input of the frame that begins, but for its keys.
     virtual void feed_gui() = 0;
-    /// With those that went down and up since the last frame: a tap may be shorter than one.
+    /// The keys that are down in the frame that begins.
     [[nodiscard]] virtual KeysDown take_keys() = 0;
     [[nodiscard]] virtual Arrivals take_arrivals() = 0;
     [[nodiscard]] virtual bool space_held() const = 0;

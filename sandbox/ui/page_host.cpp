@@ -65,19 +65,15 @@ void PageHost::feed_gui() {
     }
 }
 
-KeysDown PageHost::take_keys() {
-    tapped_.insert(held_.begin(), held_.end());
-    return {std::exchange(tapped_, {}), (mods_ & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0,
-            (mods_ & GLFW_MOD_SHIFT) != 0, (mods_ & GLFW_MOD_ALT) != 0};
-}
+KeysDown PageHost::take_keys() { return keyboard_.take(mods_); }
 
 Arrivals PageHost::take_arrivals() {
     Arrivals taken = std::exchange(arrivals_, {});
-    taken.any |= !pointers_.empty() || !tapped_.empty();
+    taken.any |= !pointers_.empty() || keyboard_.tapped();
     return taken;
 }
 
-bool PageHost::space_held() const { return held_.contains(GLFW_KEY_SPACE); }
+bool PageHost::space_held() const { return keyboard_.holds(GLFW_KEY_SPACE); }
 
 double PageHost::seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -124,19 +120,19 @@ void PageHost::turn_wheel(float notches) {
 }
 
 void PageHost::press_key(int key, int mods, bool down, bool repeated) {
-    mods_ = mods;
+    mods_ = (mods & GLFW_MOD_SUPER) != 0 ? GLFW_MOD_CONTROL | (mods & ~GLFW_MOD_SUPER) : mods; // a Mac's Command
     if (down) {
-        held_.insert(key);
-        tapped_.insert(key);
+        keyboard_.press(key, key, mods_);
         arrivals_.keys.push_back({key, mods, repeated});
     } else {
-        held_.erase(key);
+        keyboard_.release(key);
     }
     wake();
 }
 
 void PageHost::type(const std::string &text) {
     typed_ += text;
+    arrivals_.typed += text;
     arrivals_.question_mark |= text == "?";
     wake();
 }
@@ -147,7 +143,7 @@ void PageHost::drop(const std::string &path) {
 }
 
 void PageHost::change_focus() {
-    held_.clear();
+    keyboard_.release_all();
     mods_ = 0;
     arrivals_.exposed = true;
     wake();

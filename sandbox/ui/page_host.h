@@ -3,7 +3,6 @@
 #include "ui/host.h"
 
 #include <deque>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -60,7 +59,7 @@ class PageHost final : public Host {
     float scale_ = 1;
     std::deque<Pointer> pointers_; ///< to be seen, one press or release a frame: a tap may be shorter than one
     float wheel_ = 0;
-    std::set<int> held_, tapped_; ///< GLFW's keys; those pressed since the last frame
+    Keyboard keyboard_;
     int mods_ = 0;
     std::string typed_, clipboard_;
     double last_frame_ = 0;

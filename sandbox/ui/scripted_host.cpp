@@ -30,14 +30,13 @@ void ScriptedHost::feed_gui() {
 }
 
 KeysDown ScriptedHost::take_keys() {
-    KeysDown down{held_};
-    down.keys.insert(pressed_.begin(), pressed_.end());
-    const auto holds = [&](int key, int mod) {
-        return held_.contains(key) || (!pressed_.empty() && (mods_ & mod) != 0);
-    };
-    down.ctrl = holds(GLFW_KEY_LEFT_CONTROL, GLFW_MOD_CONTROL);
-    down.shift = holds(GLFW_KEY_LEFT_SHIFT, GLFW_MOD_SHIFT);
-    down.alt = holds(GLFW_KEY_LEFT_ALT, GLFW_MOD_ALT);
+    KeysDown down{pressed_, pressed_.empty() ? 0 : mods_};
+    down.keys.insert(held_.begin(), held_.end());
+    for (const auto &[key, mod] :
+         {std::pair(GLFW_KEY_LEFT_CONTROL, GLFW_MOD_CONTROL), std::pair(GLFW_KEY_LEFT_SHIFT, GLFW_MOD_SHIFT),
+          std::pair(GLFW_KEY_LEFT_ALT, GLFW_MOD_ALT)}) {
+        down.mods |= held_.contains(key) ? mod : 0;
+    }
     return down;
 }
 
@@ -93,6 +92,7 @@ void ScriptedHost::hold_key(int key, bool down) {
 void ScriptedHost::type(const std::string &text) {
     wake();
     typed_ += text;
+    arrivals_.typed += text;
 }
 
 void ScriptedHost::drop(const std::string &path) {

@@ -113,6 +113,7 @@ void Window::take_input() {
     const bool reloaded = polls_shaders_ && painter_.reload_changed_shaders();
     const bool own_saved = own_files_.read_saved(session_);
     exposed_ |= arrivals.exposed;
+    use_characters(session_, arrivals.typed);
     frames_left_ = arrivals.any || reloaded || own_saved ? settling_frames : frames_left_;
     const News news = std::max(bottom_.take_news(session_), finder_.take_news());
     const int frames = news == News::none       ? 0

@@ -289,7 +289,7 @@ TEST_F(Faults, OfMachines) {
         {"--backend glfw without GLFW",
          drawing("vase", "{}/out/a.png", {"--backend", "glfw"}),
          3,
-         "libglfw.so.3 is missing",
+         "apt install libglfw3",
          {},
          no_glfw},
         {"no GLFW, and none needed", drawing("vase"), 0, "", {"a.png", "a.png.json"}, no_glfw},

@@ -74,7 +74,8 @@ cpack -G DEB --config "$build/CPackConfig.cmake" -B "$folder/package" >"$folder/
 package=$(echo "$folder"/package/*.deb)
 size=$(stat -c %s "$package")
 ((size <= 6000000)) || fail "the package has $size bytes, expected at most 6,000,000"
-expect "$(dpkg-deb --field "$package" Depends)" 'libc6.*libglfw3|libglfw3.*libc6' "what the package depends on"
+expect "$(dpkg-deb --field "$package" Depends)" 'libc6.*libegl1|libegl1.*libc6' "what the package depends on"
+expect "$(dpkg-deb --field "$package" Recommends)" '^libglfw3' "what the window needs"
 dpkg-deb --extract "$package" "$folder/root"
 expect "$("$folder/root/usr/bin/shading-sandbox" --version)" '^shading-sandbox [0-9]' "the packed program"
 echo "installed $(find "$folder/usr" -type f | wc -l) files; $(basename "$package"): $size bytes"

@@ -1,7 +1,6 @@
 #include "ui/widgets/widgets.h"
 
 #include "ui/widgets/fonts.h"
-#include "ui/widgets/gui_keys.h"
 #include "ui/widgets/line_breaks.h"
 #include "ui/widgets/theme.h"
 
@@ -226,7 +225,7 @@ std::optional<float> panel_edge(Session &session, std::string_view name, ImVec2 
     const bool upright = size.y > size.x, hovered = ImGui::IsItemHovered();
     const bool dragged = ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, 1);
     const bool has_keys = ImGui::IsItemFocused() && ImGui::GetIO().NavVisible;
-    const auto pressed = [&](ImGuiKey key) { return has_keys && is_gui_key_pressed(key); };
+    const auto pressed = [&](ImGuiKey key) { return has_keys && is_key_pressed(key); };
     if (ImGui::IsItemClicked(ImGuiMouseButton_Right) || pressed(ImGuiKey_Enter) ||
         (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))) {
         chosen = 0;
@@ -314,6 +313,14 @@ ImTextureID texture_id(unsigned texture) {
 
 unsigned texture_name(ImTextureID id) { return static_cast<unsigned>(reinterpret_cast<std::intptr_t>(id)); }
 
+bool is_key_pressed(ImGuiKey key) {
+#if IMGUI_VERSION_NUM >= 18900
+    return ImGui::IsKeyPressed(key);
+#else
+    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key));
+#endif
+}
+
 void scroll_by_keys() {
     if (!ImGui::IsWindowFocused(ImGuiFocusedFlags_ChildWindows)) {
         return;
@@ -322,7 +329,7 @@ void scroll_by_keys() {
     for (const auto &[key, step] :
          {std::pair(ImGuiKey_UpArrow, -line), std::pair(ImGuiKey_DownArrow, line), std::pair(ImGuiKey_PageUp, -page),
           std::pair(ImGuiKey_PageDown, page), std::pair(ImGuiKey_Home, -1e6F), std::pair(ImGuiKey_End, 1e6F)}) {
-        if (is_gui_key_pressed(key)) {
+        if (is_key_pressed(key)) {
             ImGui::SetScrollY(std::clamp(ImGui::GetScrollY() + step, 0.0F, ImGui::GetScrollMaxY()));
         }
     }

@@ -76,6 +76,8 @@ unsigned texture_name(ImTextureID id);
 /// Arrows, Page up and down, Home and End scroll the current window, which has nothing to choose, while it has the
 /// keys.
 void scroll_by_keys();
+/// Went the key down in this frame, or does it repeat?
+bool is_key_pressed(ImGuiKey key);
 /// Puts the next item on the same line if `width` still fits there.
 void same_line_if_fits(float width);
 /// The width of a button with this label.

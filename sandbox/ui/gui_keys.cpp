@@ -1,6 +1,7 @@
-#include "ui/widgets/gui_keys.h"
+#include "ui/gui_keys.h"
 
 #include <GLFW/glfw3.h>
+#include <imgui.h>
 
 namespace sandbox {
 namespace {
@@ -19,6 +20,7 @@ constexpr GuiKey gui_keys[] = {
     {ImGuiKey_PageDown, GLFW_KEY_PAGE_DOWN},
     {ImGuiKey_Home, GLFW_KEY_HOME},
     {ImGuiKey_End, GLFW_KEY_END},
+    {ImGuiKey_Insert, GLFW_KEY_INSERT},
     {ImGuiKey_Delete, GLFW_KEY_DELETE},
     {ImGuiKey_Tab, GLFW_KEY_TAB},
     {ImGuiKey_Space, GLFW_KEY_SPACE},
@@ -35,42 +37,27 @@ constexpr GuiKey gui_keys[] = {
 
 } // namespace
 
-#if IMGUI_VERSION_NUM >= 18900
-
-void name_gui_keys() {}
-
 void press_gui_keys(const KeysDown &down) {
     ImGuiIO &io = ImGui::GetIO();
-    io.AddKeyEvent(ImGuiMod_Ctrl, down.ctrl);
-    io.AddKeyEvent(ImGuiMod_Shift, down.shift);
-    io.AddKeyEvent(ImGuiMod_Alt, down.alt);
+    const auto has = [&](int mod) { return (down.mods & mod) != 0; };
+#if IMGUI_VERSION_NUM >= 18900 // Debian 13; before, keys had numbers of the program's own
+    io.AddKeyEvent(ImGuiMod_Ctrl, has(GLFW_MOD_CONTROL));
+    io.AddKeyEvent(ImGuiMod_Shift, has(GLFW_MOD_SHIFT));
+    io.AddKeyEvent(ImGuiMod_Alt, has(GLFW_MOD_ALT));
+    io.AddKeyEvent(ImGuiMod_Super, has(GLFW_MOD_SUPER));
     for (const GuiKey &key : gui_keys) {
         io.AddKeyEvent(key.gui, down.keys.contains(key.key));
     }
-}
-
-bool is_gui_key_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(key); }
-
 #else
-
-void name_gui_keys() {
+    io.KeyCtrl = has(GLFW_MOD_CONTROL);
+    io.KeyShift = has(GLFW_MOD_SHIFT);
+    io.KeyAlt = has(GLFW_MOD_ALT);
+    io.KeySuper = has(GLFW_MOD_SUPER);
     for (const GuiKey &key : gui_keys) {
-        ImGui::GetIO().KeyMap[key.gui] = key.key;
-    }
-}
-
-void press_gui_keys(const KeysDown &down) {
-    ImGuiIO &io = ImGui::GetIO();
-    io.KeyCtrl = down.ctrl;
-    io.KeyShift = down.shift;
-    io.KeyAlt = down.alt;
-    for (const GuiKey &key : gui_keys) {
+        io.KeyMap[key.gui] = key.key;
         io.KeysDown[key.key] = down.keys.contains(key.key);
     }
-}
-
-bool is_gui_key_pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }
-
 #endif
+}
 
 } // namespace sandbox
