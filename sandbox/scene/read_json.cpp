@@ -93,7 +93,8 @@ template <class Json> class Builder {
         }
         const std::string message = plain_message(error.what());
         const bool no_literal = message.find("invalid literal") != std::string::npos;
-        throw InputError("{}:{}: {}{}", name_, line_and_column(text_, byte), message,
+        throw InputError("{}:{}: {}{}{}", name_, line_and_column(text_, byte),
+                         message.starts_with("syntax error") ? "" : "syntax error: ", message,
                          no_literal ? "; expected a finite number, a string, true or false (JSON has no NaN)" : "");
     }
 
