@@ -5,6 +5,7 @@
 #include "image/thread.h"
 #include "scene/light_kind.h"
 #include "scene/space.h"
+#include "scene/unit.h"
 #include "shading/eye_space.h"
 #include "shading/features.h"
 #include "shading/object_lights.h"
@@ -21,11 +22,6 @@
 
 namespace sandbox::certificate {
 namespace {
-
-glm::dvec3 unit_or(const glm::dvec3 &v, const glm::dvec3 &otherwise) {
-    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    return largest > 0 ? glm::normalize(v / largest) : otherwise;
-}
 
 /// The largest colour, per channel, that a surface is multiplied by; infinite where some colour is below 0.
 glm::dvec3 largest_base(const Object &object, const ObjectResources &own) {
@@ -48,8 +44,6 @@ glm::dvec3 largest_base(const Object &object, const ObjectResources &own) {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     return std::min({low.x, low.y, low.z}) < 0 ? glm::dvec3(infinite) : high * tint;
 }
-
-double cos_degrees(double degrees) { return degrees == 90 ? 0 : std::cos(glm::radians(degrees)); }
 
 BoundLight bound_light(const Light &light, const ObjectLight &use, const Technique &technique, const Camera &camera,
                        const Material &material, const glm::dvec3 &base) {

@@ -2,6 +2,7 @@
 
 #include "scene/light_kind.h"
 #include "scene/space.h"
+#include "scene/unit.h"
 
 #include <algorithm>
 #include <array>
@@ -23,11 +24,6 @@ template <class T> T blend(const glm::dvec3 &weights, const T &a, const T &b, co
 
 template <class T> T blend(const glm::dvec3 &weights, const std::vector<T> &values, const glm::uvec3 &triangle) {
     return blend(weights, values[triangle.x], values[triangle.y], values[triangle.z]);
-}
-
-glm::dvec3 unit_or(const glm::dvec3 &v, const glm::dvec3 &otherwise) {
-    const glm::dvec3 u = unit(v);
-    return u == glm::dvec3(0) ? otherwise : u;
 }
 
 Side side_of(const Object &object, const Triangle &on_screen) {

@@ -15,9 +15,6 @@ namespace {
 
 constexpr double attenuation_floor = 1e-6;
 
-/// Exact at 90 degrees, where std::cos leaves 6e-17.
-double cos_degrees(double degrees) { return degrees == 90 ? 0 : std::cos(glm::radians(degrees)); }
-
 /// 1 - cos, which keeps its digits where the cosine is 1.
 double versine(double degrees) { return 2 * std::pow(std::sin(glm::radians(degrees) / 2), 2); }
 
@@ -92,19 +89,6 @@ glm::dvec3 as_float(const glm::dvec3 &v) {
         return double{single};
     };
     return {rounded(v.x), rounded(v.y), rounded(v.z)};
-}
-
-glm::dvec3 unit(const glm::dvec3 &v) {
-    const double square = glm::dot(v, v);
-    if (square > 1e-200 && square < 1e200) {
-        return v / std::sqrt(square);
-    }
-    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    if (!(largest > 0)) {
-        return glm::dvec3(0);
-    }
-    const glm::dvec3 scaled = v / largest;
-    return scaled / glm::length(scaled);
 }
 
 double power_of_dot(const glm::dvec3 &a, const glm::dvec3 &b, double n) {

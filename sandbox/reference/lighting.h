@@ -2,6 +2,7 @@
 
 #include "reference/kept_values.h"
 #include "scene/scene.h"
+#include "scene/unit.h"
 #include "shading/technique.h"
 
 #include <glm/mat3x3.hpp>
@@ -24,9 +25,6 @@ namespace sandbox::reference {
 
 /// Rounded to float32.
 glm::dvec3 as_float(const glm::dvec3 &v);
-
-/// v / |v| without overflow or underflow on the way; 0 for 0.
-glm::dvec3 unit(const glm::dvec3 &v);
 
 /// max(a.b, 0)^n, with x^0 = 1 also for x = 0. Worked out from |a - b|^2 where the cosine is near 1, so that the
 /// relative error stays near 1e-15 + n * 1e-16 * angle. The vectors need not be unit: their lengths count as in the dot

@@ -2,6 +2,7 @@
 
 #include "scene/light_kind.h"
 #include "scene/space.h"
+#include "scene/unit.h"
 
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -12,19 +13,11 @@
 namespace sandbox {
 namespace {
 
-glm::dvec3 unit(const glm::dvec3 &v) {
-    const double length = glm::length(v);
-    return length > 0 ? v / length : glm::dvec3(0);
-}
-
 /// The same attenuation per scaled length, within float32 (beyond it nothing is lit).
 Attenuation scaled(const Attenuation &a, double scale) {
     constexpr double most = 3e38;
     return {a.constant, std::min(a.linear / scale, most), std::min(a.quadratic / scale / scale, most)};
 }
-
-/// The cosine of an angle in degrees, exactly 0 at 90.
-double cos_degrees(double degrees) { return degrees == 90 ? 0 : std::cos(glm::radians(degrees)); }
 
 /// One half vector for the whole scene: the light seen from the world's origin, and the view axis. Under an infinite
 /// viewer that is exact for a directional light.

@@ -3,6 +3,7 @@
 #include "image/error.h"
 #include "scene/index_table.h"
 #include "scene/polygon.h"
+#include "scene/unit.h"
 
 #include <algorithm>
 #include <array>
@@ -13,12 +14,6 @@ namespace sandbox {
 namespace {
 
 double largest_part(const glm::dvec3 &v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
-/// Scaled first: the square of 1e-200 is 0. Zero stays zero.
-glm::dvec3 unit(const glm::dvec3 &v) {
-    const double largest = largest_part(v);
-    return largest > 0 ? glm::normalize(v / largest) : glm::dvec3(0);
-}
 
 /// What vertices of the mesh differ by: the position, the texture coordinates and `normal`, an index into the file's,
 /// or into the computed ones where marked. The corner is the first that is this vertex.

@@ -1,4 +1,5 @@
 #include "scene/space.h"
+#include "scene/unit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,12 +30,6 @@ std::pair<double, double> sine_cosine(double degrees) {
     default:
         return {-s, -c};
     }
-}
-
-/// Unit vector; scaled first, so that neither tiny nor huge vectors lose their direction to underflow or overflow.
-glm::dvec3 unit(glm::dvec3 v) {
-    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-    return largest > 0 ? glm::normalize(v / largest) : glm::dvec3(0);
 }
 
 /// Along the camera's axis, of any corner of the box around the transformed mesh.

@@ -95,7 +95,7 @@ class TruePoints {
         const glm::dvec3 normal = blend(w, mesh_.normals[t.x], mesh_.normals[t.y], mesh_.normals[t.z]);
         const bool unit = mesh_.setup.technique.renormalize == Renormalize::on;
         return reflected(blend(w, mesh_.positions[t.x], mesh_.positions[t.y], mesh_.positions[t.z]),
-                         unit ? reference::unit(normal) : normal, side);
+                         unit ? sandbox::unit(normal) : normal, side);
     }
     reference::Reflected reflected(const glm::dvec3 &p, const glm::dvec3 &n, reference::Side side) const {
         const reference::IsolatedPoint point(mesh_.setup, *mesh_.object, p, n, side);

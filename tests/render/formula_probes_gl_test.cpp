@@ -67,7 +67,7 @@ void set_shininess(const GlProgram &program, float n) {
 glm::dvec3 vector_of(const glm::vec4 &input, Exponent kind) {
     const glm::dvec3 v(input.x, input.y, input.z);
     if (kind == Exponent::stable) {
-        return reference::unit(v);
+        return unit(v);
     }
     return v;
 }

@@ -100,9 +100,9 @@ Twin twin_of(const Scene &scene, const Technique &technique, bool stable, const 
     glm::dvec3 n = vector(normal);
     glm::dvec3 v = vector(view);
     if (stable) {
-        one.travel = reference::unit(one.travel);
-        n = reference::unit(n);
-        v = reference::unit(v);
+        one.travel = unit(one.travel);
+        n = unit(n);
+        v = unit(v);
     }
     const auto vectors = reference::light_vectors(setup, one, vector(point), n, v);
     const auto terms = reference::light_terms(setup, one, vectors, n, v, material.shininess);

@@ -154,9 +154,8 @@ void probe_full_light(const std::string &name, const Light &light, const std::st
     for (int i = 0; i < 3000; ++i) {
         const glm::vec3 p = i % 9 == 0 ? glm::vec3(light.position) : 2.0F * random.in_cube();
         const glm::vec3 n = random.direction();
-        const glm::vec3 l(!has_position(light)
-                              ? -one.travel
-                              : reference::unit(light.position - glm::dvec3(p) + glm::dvec3(0, 1e-9, 0)));
+        const glm::vec3 l(!has_position(light) ? -one.travel
+                                               : unit(light.position - glm::dvec3(p) + glm::dvec3(0, 1e-9, 0)));
         const float spread = std::pow(10.0F, -1.5F + 1.5F * random.number());
         const glm::vec3 v =
             i % 3 == 0 ? random.direction() : glm::normalize(2 * glm::dot(n, l) * n - l + spread * random.in_cube());
@@ -175,8 +174,8 @@ void probe_full_light(const std::string &name, const Light &light, const std::st
     ProbeTable table("full: " + name, stable ? 2e-5 + stable_bound(shininess) : textbook_bound(shininess));
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         const glm::dvec3 p(inputs[i][0].x, inputs[i][0].y, inputs[i][0].z);
-        const glm::dvec3 n = reference::unit({inputs[i][1].x, inputs[i][1].y, inputs[i][1].z});
-        const glm::dvec3 v = reference::unit({inputs[i][2].x, inputs[i][2].y, inputs[i][2].z});
+        const glm::dvec3 n = unit({inputs[i][1].x, inputs[i][1].y, inputs[i][1].z});
+        const glm::dvec3 v = unit({inputs[i][2].x, inputs[i][2].y, inputs[i][2].z});
         const auto vectors = reference::light_vectors(setup, one, p, n, v);
         const auto terms = reference::light_terms(setup, one, vectors, n, v, material.shininess);
         if (std::abs(terms.n_dot_l) < 6e-7 || (one.cone && std::abs(terms.c - one.cos_outer) < 6e-7)) {

@@ -3,6 +3,7 @@
 #include "scene/light_kind.h"
 #include "scene/scene_format.h"
 #include "scene/space.h"
+#include "scene/unit.h"
 
 #include <algorithm>
 #include <glm/common.hpp>
@@ -14,11 +15,7 @@ namespace sandbox {
 namespace {
 
 constexpr std::size_t most_lights = 64;
-
-glm::dvec3 unit_or_down(glm::dvec3 direction) {
-    const double length = glm::length(direction);
-    return length > 0 ? direction / length : glm::dvec3(0, -1, 0);
-}
+constexpr glm::dvec3 down(0, -1, 0);
 
 /// A camera may stand farther out than a light.
 glm::dvec3 in_world(glm::dvec3 position) { return glm::clamp(position, coordinate.low, coordinate.high); }
@@ -44,7 +41,7 @@ void add_light(Scene &scene, LightType type) {
     light.type = type;
     const glm::dvec3 shoulder = 0.35 * axes.right + 0.45 * axes.up - 0.5 * axes.forward;
     light.position = in_world(scene.camera.target + shoulder * reach(scene.camera));
-    light.direction = unit_or_down(-shoulder);
+    light.direction = unit_or(-shoulder, down);
     scene.lights.push_back(light);
 }
 
@@ -66,10 +63,10 @@ void set_type(Light &light, LightType type, const Camera &camera) {
     }
     const Light untouched;
     if (kind_of(type).positional && light.position == untouched.position) {
-        light.position = in_world(camera.target - unit_or_down(light.direction) * (0.6 * reach(camera)));
+        light.position = in_world(camera.target - unit_or(light.direction, down) * (0.6 * reach(camera)));
     }
     if (kind_of(type).directed && light.direction == untouched.direction) {
-        light.direction = unit_or_down(camera.target - light.position);
+        light.direction = unit_or(camera.target - light.position, down);
     }
     light.type = type;
 }
