@@ -1,4 +1,5 @@
 #include "image/error.h"
+#include "reference/reference.h"
 #include "render/renderer.h"
 #include "scene/scene_file.h"
 #include "tools/feature_scenes.h"
@@ -14,6 +15,29 @@ namespace {
 
 class Metamorphic : public GlTest {
   protected:
+    /// Pixels that differ by more than `bound` are few, and by what rounding their triangle's place in the window does
+    /// to the truth itself, of either picture.
+    void expect_rounding_explains(const Image &a, const Image &b, double bound, const Scene &scene,
+                                  const Technique &technique) {
+        const std::vector<ObjectResources> resources = renderer_.resources().load(scene);
+        int beyond = 0;
+        for (int y = 0; y < a.size.height; ++y) {
+            for (int x = 0; x < a.size.width; ++x) {
+                const auto i = static_cast<std::size_t>(y * a.size.width + x);
+                const glm::dvec3 apart = glm::abs(glm::dvec3(a.pixels[i]) - glm::dvec3(b.pixels[i]));
+                const double largest = std::max({apart.x, apart.y, apart.z});
+                if (largest <= bound) {
+                    continue;
+                }
+                const auto probe = probe_pixel(scene, resources, technique, a.size, x, y);
+                ASSERT_TRUE(probe) << x << ", " << y;
+                EXPECT_LE(largest, bound + 2 * probe->window_rounding) << x << ", " << y;
+                ++beyond;
+            }
+        }
+        EXPECT_LE(beyond, a.size.width * a.size.height / 1000);
+    }
+
     Renderer renderer_{Assets("assets"), ShaderParts(Assets("shaders"))};
 };
 
@@ -37,7 +61,8 @@ Difference difference(const Image &a, const Image &b) {
 }
 
 /// Both programs run the same operations in the same order on the same varyings, so they differ by the rounding of
-/// values that one of them folds into constants. Textbook power above n = 1024 is excepted.
+/// values that one of them folds into constants; and, as Mesa 25 compiles them, of a product and a sum that are one
+/// operation in one of them alone. Textbook power above n = 1024 is excepted.
 TEST_F(Metamorphic, SpecialisedAndFullProgramGiveTheSamePicture) {
     constexpr Size size{160, 120};
     int compared = 0;
@@ -53,7 +78,11 @@ TEST_F(Metamorphic, SpecialisedAndFullProgramGiveTheSamePicture) {
             technique.program = Program::specialised;
             const Image specialised = renderer_.render(scene, technique, size).color;
             const Difference d = difference(full, specialised);
-            EXPECT_LE(d.largest, 1e-5 * d.brightest) << scene.name << " " << to_string(technique);
+            ASSERT_TRUE(std::isfinite(d.largest)) << scene.name << " " << to_string(technique);
+            if (d.largest > 1e-5 * d.brightest) {
+                SCOPED_TRACE(scene.name + " " + to_string(technique));
+                expect_rounding_explains(full, specialised, 1e-5 * d.brightest, scene, technique);
+            }
             ++compared;
         }
     }
@@ -74,9 +103,9 @@ TEST_F(Metamorphic, BuiltInScenesLookTheSameUnderTheFullProgram) {
     }
 }
 
-/// A baked program raises by multiplications, which errs by (n - 1) 2^-24; pow() is allowed 2e-5 + 4e-7 n. It folds what
-/// it knows, which moves every argument by its rounding, 6e-8; the edge of a cone, the steepest thing here, makes up to a
-/// thousand times that of it. As above, textbook power above n = 1024 is excepted.
+/// A baked program raises by multiplications, which errs by (n - 1) 2^-24; pow() is allowed 2e-5 + 4e-7 n. It folds
+/// what it knows, which moves every argument by its rounding, 6e-8; the edge of a cone, the steepest thing here, makes
+/// up to a thousand times that of it. As above, textbook power above n = 1024 is excepted.
 TEST_F(Metamorphic, BakedAndSpecialisedProgramGiveTheSamePicture) {
     constexpr Size size{160, 120};
     int compared = 0;
