@@ -40,7 +40,11 @@ CONFIG
 
 echo "Fetching the sources of the page's libraries" >&2
 cd "$folder/sources"
-apt_in sources "deb-src $site $codename main" source --download-only fmtlib imgui libjpeg-turbo libspng zlib 2>"$folder/apt.log"
+apt_in sources "deb-src $site $codename main" source --download-only fmtlib imgui libjpeg-turbo libspng zlib 2>"$folder/apt.log" || {
+    echo "web_tools.sh: $site has not all of them; run this again later, or name another archive in apt's sources:" >&2
+    grep '^E:' "$folder/apt.log" >&2
+    exit 1
+}
 for description in *.dsc; do
     name=${description%%_*}
     dpkg-source --no-check -x "$description" "$name" >/dev/null
