@@ -56,7 +56,8 @@ set(imgui ${sources}/imgui)
 add_library(web_imgui STATIC ${imgui}/imgui.cpp ${imgui}/imgui_draw.cpp ${imgui}/imgui_tables.cpp ${imgui}/imgui_widgets.cpp
             ${imgui}/backends/imgui_impl_opengl3.cpp ${imgui}/misc/cpp/imgui_stdlib.cpp)
 target_include_directories(web_imgui SYSTEM PUBLIC ${imgui} ${imgui}/misc/cpp)
-target_compile_definitions(web_imgui PUBLIC IMGUI_IMPL_OPENGL_ES3 IMGUI_DISABLE_DEMO_WINDOWS
-                           IMGUI_DISABLE_METRICS_WINDOW IMGUI_DISABLE_DEBUG_TOOLS IMGUI_DISABLE_OBSOLETE_KEYIO) # by their names in 1.86 and 1.90
+# What no page uses; the debugging tools by their names in 1.86 and in 1.90.
+target_compile_definitions(web_imgui PUBLIC IMGUI_IMPL_OPENGL_ES3 IMGUI_DISABLE_DEMO_WINDOWS IMGUI_DISABLE_METRICS_WINDOW
+                           IMGUI_DISABLE_DEBUG_TOOLS IMGUI_DISABLE_OBSOLETE_KEYIO)
 add_library(imgui::imgui ALIAS web_imgui)
 set(IMGUI_INCLUDE_DIRS ${imgui} PARENT_SCOPE)

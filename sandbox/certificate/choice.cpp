@@ -17,7 +17,6 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/trigonometric.hpp>
 #include <utility>
 
 namespace sandbox::certificate {

@@ -4,7 +4,6 @@
 #include "scene/space.h"
 #include "scene/unit.h"
 
-#include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
 #include <algorithm>

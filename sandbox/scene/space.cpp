@@ -1,4 +1,5 @@
 #include "scene/space.h"
+
 #include "scene/unit.h"
 
 #include <algorithm>
